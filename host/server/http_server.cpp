@@ -12,6 +12,7 @@
 #include <boost/beast/websocket.hpp>
 #include <csignal>
 #include <exception>
+#include <limits>
 #include <list>
 #include <new>
 #include <optional>
@@ -45,7 +46,10 @@ struct SentBody {
    public:
     template <bool kRequest, class Fields>
     reader(http::header<kRequest, Fields>&, value_type& body) : body_(body) {}
-    void init(const boost::optional<std::uint64_t>&, Fault& fault) { fault = {}; }
+    void init(const boost::optional<std::uint64_t>& announced, Fault& fault) {
+      announced_ = announced.value_or(announced_);
+      fault = {};
+    }
     template <class Buffers>
     std::size_t put(const Buffers& buffers, Fault& fault) {
       std::size_t size = 0;
@@ -53,6 +57,8 @@ struct SentBody {
       try {
         for (const asio::const_buffer part : beast::buffers_range_ref(buffers)) {
           const auto* bytes = static_cast<const std::uint8_t*>(part.data());
+          const std::size_t wanted = body_.size() + part.size();
+          if (wanted > body_.capacity()) body_.reserve(std::max(wanted, std::min(announced_, 2 * body_.capacity())));
           body_.insert(body_.end(), bytes, bytes + part.size());
           size += part.size();
         }
@@ -65,6 +71,7 @@ struct SentBody {
 
    private:
     value_type& body_;
+    std::size_t announced_ = std::numeric_limits<std::size_t>::max();
   };
 };
 

@@ -47,7 +47,8 @@ class Served : public Site {
     ++sending;
     return std::nullopt;
   }
-  Reply reply(Request) override {
+  Reply reply(Request request) override {
+    if (request.sends) sent_bytes = request.body.size(), sent_memory = request.body.capacity();
     return {200, "text/plain", Bytes(new std::string("here"), [this](const std::string* body) {
               if (std::this_thread::get_id() != here_) ++ended_elsewhere;
               delete body;
@@ -59,8 +60,9 @@ class Served : public Site {
   std::string head(std::string_view method = "GET") const { return std::string(method) + " " + path_ + "x HTTP/1.1" + rest(); }
   std::string stranger() const { return "GET /0/ HTTP/1.1" + rest(); }
 
-  std::atomic<int> sending = 0;          ///< connections that have begun to send something
-  std::atomic<int> ended_elsewhere = 0;  ///< connections that ended in another thread than that of the sockets
+  std::atomic<int> sending = 0;                              ///< connections that have begun to send something
+  std::atomic<std::size_t> sent_bytes = 0, sent_memory = 0;  ///< of what was sent last
+  std::atomic<int> ended_elsewhere = 0;                      ///< connections that ended in another thread than that of the sockets
 
  private:
   std::string rest() const {
@@ -147,6 +149,16 @@ TEST(HttpServer, OneFileIsSentAtATime) {
     if (status != "HTTP/1.1 200") std::this_thread::sleep_for(50ms);
   }
   EXPECT_EQ(status, "HTTP/1.1 200");
+}
+
+TEST(HttpServer, WhatIsSentTakesNoMoreMemoryThanItAnnounced) {
+  const Served served;
+  const std::string body((5U << 20) + 1, 'x');
+  Asking large(served, served.head("POST") + "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n");
+  EXPECT_TRUE(large.sends(body));
+  EXPECT_EQ(large.status(), "HTTP/1.1 200");
+  EXPECT_EQ(served.sent_bytes, body.size());
+  EXPECT_EQ(served.sent_memory, body.size());
 }
 
 /// Of all the memory that this process may take.
