@@ -273,17 +273,25 @@ class Client : public std::enable_shared_from_this<Client> {
     ++parts_.uploads;
     body_.emplace(std::move(*parser_));
     body_->body_limit(parts_.limits.upload_bytes);
-    stream_.expires_after(6 * parts_.limits.patience);
-    http::async_read(stream_, in_, *body_, [self = shared_from_this(), request = std::move(request)](Fault fault, std::size_t) mutable {
-      if (fault == http::error::body_limit) return self->refuse_file();
-      if (fault == boost::system::errc::not_enough_memory) {
-        self->body_.reset();
-        return self->refuse(413, "There is not enough memory for this file; thin the scan, or build it with isotouch build.");
-      }
-      if (fault) return;
-      request.body = std::move(self->body_->get().body());
-      self->compute(std::move(request));
-    });
+    take_part(std::move(request));
+  }
+
+  /// What is sent may take long, as long as it comes.
+  void take_part(Request request) {
+    if (body_->is_done()) {
+      request.body = std::move(body_->get().body());
+      return compute(std::move(request));
+    }
+    stream_.expires_after(parts_.limits.patience);
+    http::async_read_some(
+        stream_, in_, *body_, [self = shared_from_this(), request = std::move(request)](Fault fault, std::size_t) mutable {
+          if (fault == http::error::body_limit) return self->refuse_file();
+          if (fault == boost::system::errc::not_enough_memory) {
+            self->body_.reset();
+            return self->refuse(413, "There is not enough memory for this file; thin the scan, or build it with isotouch build.");
+          }
+          if (!fault) self->take_part(std::move(request));
+        });
   }
 
   void watch(const Admission& admission) {

@@ -65,7 +65,8 @@ struct Limits {
   std::size_t request_bytes = 8 * 1024;     ///< of a request without what it sends; else status 431
   std::uint64_t upload_bytes = 256U << 20;  ///< that a request sends; else status 413
   std::size_t uploads = 1;                  ///< at a time; one more gets status 409
-  std::chrono::seconds patience{10};        ///< for a request, and for a viewer that takes or says nothing three times as long
+  /// For a request, and for each part of what it sends. Three times as long for a viewer that takes or says nothing.
+  std::chrono::seconds patience{10};
 };
 
 class HttpServer {

@@ -151,6 +151,24 @@ TEST(HttpServer, OneFileIsSentAtATime) {
   EXPECT_EQ(status, "HTTP/1.1 200");
 }
 
+TEST(HttpServer, AFileComesAsSlowlyAsItWantsButNotSilently) {
+  const Served served({.patience = 1s});
+  const std::string sends = served.head("POST") + "Content-Length: 40\r\n\r\n1";
+  {
+    const auto begun = std::chrono::steady_clock::now();
+    Asking silent(served, sends);
+    EXPECT_EQ(silent.status(), "") << "it is closed";
+    EXPECT_LT(std::chrono::steady_clock::now() - begun, 5s);
+  }
+  Asking slow(served, sends);
+  for (int i = 1; i < 40; ++i) {
+    std::this_thread::sleep_for(180ms);  // seven seconds for all
+    EXPECT_TRUE(slow.sends("2")) << i;
+  }
+  EXPECT_EQ(slow.status(), "HTTP/1.1 200");
+  EXPECT_EQ(served.sent_bytes, 40U);
+}
+
 TEST(HttpServer, WhatIsSentTakesNoMoreMemoryThanItAnnounced) {
   const Served served;
   const std::string body((5U << 20) + 1, 'x');
