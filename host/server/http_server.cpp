@@ -140,8 +140,12 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
   }
 
   void put(const Shared& message) {
-    outbox_.put(message);
-    write();
+    try {
+      outbox_.put(message);
+      write();
+    } catch (const std::bad_alloc&) {
+      leave();  // the page comes again, and is sent all; other viewers get their message
+    }
   }
 
   /// Says why, in at most 123 bytes, and ends.
@@ -177,12 +181,12 @@ class Viewer : public std::enable_shared_from_this<Viewer> {
     if (!open_ || writing_ || closing_) return;
     std::optional<Shared> next = outbox_.take();
     if (!next) return;
-    writing_ = std::move(*next);
-    socket_.binary(writing_->binary);
-    socket_.async_write(asio::buffer(writing_->bytes), [self = shared_from_this()](Fault fault, std::size_t) {
+    socket_.binary((*next)->binary);
+    socket_.async_write(asio::buffer((*next)->bytes), [self = shared_from_this()](Fault fault, std::size_t) {
       self->writing_ = nullptr;
       if (!fault) self->write();
     });
+    writing_ = std::move(*next);  // only now: without memory nothing is being written
   }
 
   void leave() {
@@ -300,8 +304,9 @@ class Client : public std::enable_shared_from_this<Client> {
       return refuse(503, "There are " + std::to_string(parts_.limits.viewers) +
                              " viewers already; close one, or start isotouch view with a larger --viewers.");
     }
-    handed_on_ = true;
-    std::make_shared<Viewer>(parts_, std::move(stream_))->begin(parser_->release());
+    const auto viewer = std::make_shared<Viewer>(parts_, std::move(stream_));
+    handed_on_ = true;  // only now: without memory there is no viewer that counts as a connection
+    viewer->begin(parser_->release());
   }
 
   /// On the other thread, and back.
@@ -395,11 +400,8 @@ void HttpServer::Parts::accept() {
       pause.async_wait([this](Fault) { accept(); });
       return;
     }
-    try {
-      take_in(std::move(socket));
-    } catch (const std::bad_alloc&) {  // this one is closed, and others may come
-    }
-    accept();
+    accept();  // first, in the memory that this call has given back: whatever happens to this one, others may come
+    take_in(std::move(socket));
   });
 }
 
@@ -422,9 +424,13 @@ void HttpServer::Parts::begin_to_end() {
   ends = true;
   Fault ignored;
   acceptor.close(ignored);
-  for (Viewer* viewer : std::set(viewers)) viewer->close(websocket::close_code::going_away, "isotouch view has ended; start it again.");
-  pause.expires_after(viewers.empty() ? std::chrono::milliseconds(0) : kFarewell);
-  pause.async_wait([this](Fault) { io.stop(); });
+  try {
+    for (Viewer* viewer : std::set(viewers)) viewer->close(websocket::close_code::going_away, "isotouch view has ended; start it again.");
+    pause.expires_after(viewers.empty() ? std::chrono::milliseconds(0) : kFarewell);
+    pause.async_wait([this](Fault) { io.stop(); });
+  } catch (const std::bad_alloc&) {
+    io.stop();  // without a farewell
+  }
 }
 
 HttpServer::HttpServer(Site& site, std::uint16_t port, const Limits& limits) : parts_(std::make_unique<Parts>(site, limits)) {
