@@ -29,8 +29,8 @@ class Recording {
   Recording(const trace::Trace& trace, const FieldView* field);
 
   std::size_t ticks() const;
-  /// Name, ticks, period, the hash of its first field (empty: none, or any), events, whether the field was patched meanwhile, and whether the file ends
-  /// before it should.
+  /// Name, ticks, period, the hash of the field that it names (empty: none, or any), events, whether the field was patched meanwhile, and whether the file
+  /// ends before it should.
   nlohmann::ordered_json summary() const;
   /// Rows of `tick_rows.h`; fewer where the recording ends.
   std::string rows(std::size_t from, std::size_t count) const;

@@ -274,10 +274,12 @@ class Page {
   /** Whether what is drawn is what was, or is, felt. */
   private warnOfField(): void {
     if (this.liveField === undefined || this.liveField === this.summary?.hash) this.agreedAt = performance.now();
-    const isOther = (hash: string): boolean => hash !== '' && this.summary !== null && hash !== this.summary.hash;
     const recorded = (): string => {
+      const drawn = this.summary;
+      if (!drawn) return '';
+      const isOther = (hash: string): boolean => hash !== '' && hash !== drawn.hash;
       if (this.recordings.some(({ summary }) => isOther(summary.field))) return 'The hand felt another field than the one that is drawn.';
-      return this.recordings.some(({ summary }) => summary.is_patched) ? 'The hand felt a field that changed; the first one is drawn.' : '';
+      return this.recordings.some(({ summary }) => summary.is_patched) ? 'The field changed while the hand felt it; it is drawn as it was in a part of the recording.' : '';
     };
     say(element('field-warning'), this.source === 'recording' ? recorded() : this.source === 'live' ? this.liveWarning() : '');
   }

@@ -117,7 +117,7 @@ export interface TraceSummary {
   name: string;
   ticks: number;
   period_ns: number;
-  field: string; // hash of its first one; empty: none, or any
+  field: string; // the hash that the file names; empty: none, or any
   events: TraceEvent[];
   more_events: boolean;
   is_patched: boolean; // its field was patched meanwhile

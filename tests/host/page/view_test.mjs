@@ -636,9 +636,14 @@ const tests = {
     await shown(page);
     await page.waitForSelector('#player:not([hidden])');
     const warning = (await page.locator('#field-warning').textContent()).trim();
-    check(warning === 'The hand felt a field that changed; the first one is drawn.', `of the field the page says: ${warning}`);
+    check(/^The field changed while the hand felt it; it is drawn /.test(warning), `of the field the page says: ${warning}`);
     check((await page.locator('#marks .patch').count()) === 1, 'the patches are not marked');
     await close(opened);
+    const alone = await open({}, join(golden, 'positions_patches.trace'));
+    await alone.page.waitForSelector('#player:not([hidden])');
+    const said = await alone.page.locator('#field-warning').textContent();
+    check(said === '', `where no field is drawn the page says: ${said}`);
+    await close(alone);
   },
 
   async live() {
