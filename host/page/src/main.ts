@@ -345,14 +345,14 @@ class Page {
     }
   }
 
-  /** Of a slice: from the server; where there is none, or it has another object by now, from the core in this page. */
+  /** Of a slice: from the server; where there is none, or it has another object by now, from the core in this page if that has this one. */
   private async distances(of: SceneSummary, axis: string, at: number, samples: number): Promise<DataView> {
     const own = (): Promise<DataView> => localSlice(of, axis, at, samples, (places) => this.touch.sample(of, places));
     if (isExported()) return own();
     try {
       return await this.server.slice(of, axis, at, samples);
     } catch (error) {
-      if (this.touched === of && error instanceof Refused && error.status === kGone) return own(); // the core has it for the hand
+      if (this.touch.has(of) && error instanceof Refused && error.status === kGone) return own();
       throw error;
     }
   }

@@ -4,6 +4,7 @@ import { At, NUMBERS_OF_A_TICK, Status } from './touch/touch';
 import type { FromWorker, ToWorker } from './touch/touch_messages';
 import { Vector3 } from 'three';
 import { exportedBytes } from './exported';
+import type { SceneSummary } from './messages';
 import type { Tick } from './rows';
 import type { SceneView } from './scene_view';
 
@@ -25,7 +26,9 @@ export interface Felt {
 
 export class TouchHand {
   on = false;
-  loaded = false;
+  /** What the core has; null while it loads another one. */
+  loaded: SceneSummary | null = null;
+  private loads = 0;
   private starting: Promise<void> | null = null;
   private worker: Worker | null = null; // once it has begun
   private depth = 0; // mm from the plane through the object's middle towards the eye
@@ -57,13 +60,15 @@ export class TouchHand {
   }
 
   /** The core with a field; any before it is gone. */
-  async load(image: ArrayBuffer, name: string): Promise<void> {
+  async load(image: ArrayBuffer, of: SceneSummary): Promise<void> {
     this.starting ??= this.start();
     await this.starting;
+    const number = ++this.loads;
+    this.loaded = null;
     const loaded = this.answer('loaded');
-    this.post({ kind: 'load', image: new Uint8Array(image), name });
+    this.post({ kind: 'load', image: new Uint8Array(image), name: of.name });
     await loaded;
-    this.loaded = true;
+    if (number === this.loads) this.loaded = of;
     this.post({ kind: 'record', maxTicks: kMaxTicks });
   }
 
@@ -153,8 +158,12 @@ export class TouchHand {
   /** Distances at places, mm. */
   async sample(places: Float64Array): Promise<Float64Array> {
     const ticket = ++this.count;
-    const answer = new Promise<Float64Array>((done) =>
+    const answer = new Promise<Float64Array>((done, failed) =>
       this.waiting.push((message) => {
+        if (message.kind === 'refused' && (message.of === 'sample' || message.of === 'begin')) {
+          failed(new Error(message.sentence));
+          return true;
+        }
         if (message.kind !== 'distances' || message.ticket !== ticket) return false;
         done(message.distances);
         return true;

@@ -64,10 +64,15 @@ export class TouchPanel {
     this.hand?.end();
   }
 
+  /** Whether the core in this page has this object. */
+  has(object: SceneSummary): boolean {
+    return this.hand?.loaded === object;
+  }
+
   /** Distances by the core in this page. */
   async sample(of: SceneSummary, places: Float64Array): ReturnType<TouchHand['sample']> {
     if (!this.hand) throw new Error('there is no object');
-    if (!this.hand.loaded) await this.load(of);
+    if (!this.has(of)) await this.load(of);
     return this.hand.sample(places);
   }
 
@@ -82,7 +87,7 @@ export class TouchPanel {
 
   private async load(summary: SceneSummary): Promise<void> {
     this.name = summary.name;
-    await this.hand?.load((await this.server.part('field', summary)).buffer as ArrayBuffer, summary.name);
+    await this.hand?.load((await this.server.part('field', summary)).buffer as ArrayBuffer, summary);
   }
 
   private feel(felt: Felt): void {

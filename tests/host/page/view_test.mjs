@@ -780,6 +780,27 @@ const tests = {
     await close(opened, ['410']);
   },
 
+  async 'no slice of another object is drawn while one is loaded to be touched'() {
+    const { opened, page } = await openForController();
+    await page.getByRole('button', { name: 'Touch', exact: true }).click();
+    await within(20, async () => /\d %/.test(await page.locator('#numbers').textContent()), 'the core does not run');
+    await page.getByRole('button', { name: 'Live', exact: true }).click();
+    await page.evaluate(() => globalThis.give({ topic: 'scene', scene: { ...globalThis.scene, name: 'another' } }));
+    await within(20, async () => /^another, /.test(await page.locator('#object').textContent()), 'the other object is not shown');
+    let isAsked = false;
+    await page.route('**/field?*', () => void (isAsked = true)); // it never comes
+    await page.route('**/slice?*', (route) => route.fulfill({ status: 410, body: 'There is another object by now.' }));
+    await page.getByRole('button', { name: 'Touch', exact: true }).click();
+    await within(20, () => isAsked, 'the other object is not loaded');
+    await page.locator('#canvas').focus();
+    const middle = async () => (await still(page), (await page.screenshot({ clip: { x: 200, y: 100, width: 500, height: 500 } })).toString('base64'));
+    const whole = await middle();
+    await page.keyboard.press('s');
+    await sleep(2000);
+    check((await middle()) === whole, 'a slice of the object before is drawn');
+    await close(opened, ['410']);
+  },
+
   async 'touch with the mouse'() {
     const opened = await open({}, 'owl.itf');
     const { page } = opened;
