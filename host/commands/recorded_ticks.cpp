@@ -92,12 +92,17 @@ view::Touch deepest_touch(const trace::Trace& trace, const FieldView& field) {
 
 view::Touch clear_touch(const trace::Trace& trace, const FieldView& field, char up) {
   std::optional<view::FieldRays> rays;
+  double best = kOtherDepth;
   return least(trace, field, [&](const view::Touch& touch, const FieldView& now, bool is_other) {
     if (is_other) rays.reset();
     const double off_depth = std::fabs(touch.depth_mm() - std::clamp(touch.depth_mm(), kClearDepth[0], kClearDepth[1]));
     if (off_depth > 0) return kOtherDepth + off_depth;
+    const double slant = view::slant_cost(touch, {.up = up});
+    if (slant >= best) return slant;  // it is not chosen, so the field, which each patch makes another one, need not be looked at
     if (!rays) rays.emplace(now);
-    return view::view_cost(touch, {.up = up}, *rays);
+    const double cost = view::view_cost(touch, {.up = up}, *rays);
+    best = std::min(best, cost);
+    return cost;
   });
 }
 

@@ -17,10 +17,14 @@ double angle_deg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 }  // namespace
 
+double slant_cost(const Touch& touch, const Direction& direction) {
+  return std::fabs(angle_deg(direction.towards_eye(), touch.out()) - kSlanted);
+}
+
 double view_cost(const Touch& touch, const Direction& direction, const FieldRays& rays) {
   const Eigen::Vector3d eye = direction.towards_eye();
   const bool hidden = rays.hit({touch.proxy + 2 * rays.edge() * touch.out(), eye}, 0, kBeyond).has_value();
-  return std::fabs(angle_deg(eye, touch.out()) - kSlanted) + (hidden ? kHidden : 0);
+  return slant_cost(touch, direction) + (hidden ? kHidden : 0);
 }
 
 Direction direction_showing(const Touch& touch, const FieldRays& rays, char up) {

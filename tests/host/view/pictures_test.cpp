@@ -90,6 +90,8 @@ TEST(ATouch, IsSeenFromWhereNothingHidesIt) {
   EXPECT_NEAR(view_cost(at(55), front, rays), 0, 1e-6);
   EXPECT_NEAR(view_cost(at(20), front, rays), 35, 1e-6);
   EXPECT_GT(view_cost(at(150), front, rays), 1000);
+  for (const double degrees : {20.0, 55.0, 90.0, 150.0})
+    EXPECT_LE(slant_cost(at(degrees), front), view_cost(at(degrees), front, rays)) << degrees;
   for (const double degrees : {0.0, 90.0, 180.0, 270.0}) {
     EXPECT_LT(view_cost(at(degrees), direction_showing(at(degrees), rays, 'y'), rays), 30) << degrees;
   }
