@@ -13,7 +13,8 @@ namespace isotouch::commands {
 /// What `isotouch` with these arguments, separated by spaces, prints on standard output. Lets pass what it throws.
 inline std::string run_command(const std::string& arguments) {
   CLI::App app;
-  for (const auto add : {add_build, add_info, add_export, add_sample, add_compare, add_scan, add_trace, add_render, add_plot, add_demo}) add(app);
+  for (const auto add : {add_build, add_info, add_export, add_sample, add_compare, add_scan, add_trace, add_render, add_plot, add_demo})
+    add(app);
   ::testing::internal::CaptureStdout();
   try {
     app.parse(arguments);
