@@ -88,13 +88,17 @@ void ControlServer::run() {
   }
 }
 
+/// Until when whoever has the place for a stop keeps it; 0: other places are free.
+std::int64_t ControlServer::turn_end_ns() const {
+  if (!std::all_of(clients_.begin(), clients_.end(), [](const ControlClient& c) { return c.is_open(); })) return 0;
+  const ControlClient& last = clients_.back();
+  return last.opened_ns + (last.greeted ? kTurnNs : kSilentTurnNs);
+}
+
 /// Until something happens, or for a nap; then reads what has come. returns false: interrupted
 bool ControlServer::wait(bool busy) {
   const std::int64_t before = neighbours_.clock.now_ns();
-  const bool is_crowded = std::all_of(clients_.begin(), clients_.end(), [](const ControlClient& c) { return c.is_open(); });
-  const ControlClient& last = clients_.back();
-  const std::int64_t turn_ns = is_crowded ? last.opened_ns + (last.greeted ? kTurnNs : kSilentTurnNs) - before
-                                          : 0;  // meanwhile the next one waits in front of the socket
+  const std::int64_t turn_ns = turn_end_ns() - before;  // meanwhile the next one waits in front of the socket
   const bool is_deaf = before < deaf_until_ns_ || turn_ns > 0;
   polled_.assign({{bell_, POLLIN, 0}, {requests_.bell(), POLLIN, 0}, {is_deaf ? -1 : socket_.number(), POLLIN, 0}});
   for (const ControlClient& client : clients_) {
@@ -120,8 +124,10 @@ bool ControlServer::wait(bool busy) {
 }
 
 void ControlServer::admit() {
-  const int socket = socket_.accept();
   const std::int64_t now = neighbours_.clock.now_ns();
+  if (clients_.back().is_open()) serve(clients_.back());  // what came with the next one; a greeting makes its turn longer
+  if (turn_end_ns() > now) return;
+  const int socket = socket_.accept();
   if (socket < 0) {
     if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) deaf_until_ns_ = now + kDeafNs;  // it knocks on
     return;
@@ -131,7 +137,6 @@ void ControlServer::admit() {
   if (role == Role::kNone) return turn_away(socket, peer, not_admitted(peer));
   const auto place = std::find_if(clients_.begin(), clients_.end() - 1, [](const ControlClient& c) { return !c.is_open(); });
   if (place->is_open()) {  // nobody may hold the place for a stop: after its turn it is the newest one's
-    serve(*place);         // what came with the newest one
     place->refuse(Kind::kHello, full());
     (void)place->send(now);
     forget(*place);

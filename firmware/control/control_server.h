@@ -64,6 +64,7 @@ class ControlServer {
 
  private:
   void run();
+  std::int64_t turn_end_ns() const;
   bool wait(bool busy);
   void admit();
   std::string full() const;

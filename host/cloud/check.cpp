@@ -57,21 +57,22 @@ void drop_zero_normals(const std::string& name, Model& model) {
   }
   if (zero == 0) return;
   if (zero == model.normals.size()) throw InputError(name + ": all normals are zero; choose --normals estimate");
-  if (2 * zero > model.normals.size()) {
-    throw InputError(name + ": " + model.place(first) +
-                     ": the normal is zero, as most of them are; remove these points, or choose --normals " + "estimate");
+  if (kOneIn * zero > model.normals.size()) {  // a whole part of a body may be gone with so many
+    throw InputError(name + ": " + model.place(first) + ": the normal is zero, as at " + std::to_string(zero) + " of " +
+                     std::to_string(model.normals.size()) + " points; remove these points, or choose --normals estimate");
   }
   model.incomplete += keep_points(model, is_oriented);
 }
 
-/// Brings the normals to unit length in their places.
+/// Brings the normals but for zeros to unit length in their places.
 void make_unit_normals(const std::string& name, Model& model, CloudReport& report) {
   for (std::size_t i = 0; i < model.normals.size(); ++i) {
     if (model.positions[i].cwiseAbs().maxCoeff() > kFarthest) {
       throw InputError(name + ": " + model.place(i) + ": a coordinate is larger than 1e12; the file is damaged or its units are unusable");
     }
     const double length = model.normals[i].norm();
-    if (report.has_normals && !(length >= kShortestNormal && length <= kMaxNormal)) {
+    const bool has_normal = report.has_normals && length >= kZeroNormal;
+    if (has_normal && !(length >= kShortestNormal && length <= kMaxNormal)) {
       throw InputError(name + ": " + model.place(i) + ": the normal has length " + std::to_string(length) +
                        " instead of 1; normalise the normals" +
                        (model.format == "text" ? ", or remove columns 4 to 6 if they hold something else" : ""));
@@ -80,7 +81,7 @@ void make_unit_normals(const std::string& name, Model& model, CloudReport& repor
       throw InputError(name + ": " + model.place(i) + ": the stiffness is " + std::to_string(model.stiffness[i]) +
                        " N/mm; it must be above 0 and at most 100");
     }
-    if (!report.has_normals) continue;
+    if (!has_normal) continue;
     if (std::abs(length - 1.0) > kUnitTolerance) ++report.renormalised;
     model.normals[i] /= length;
   }
@@ -213,13 +214,11 @@ OrientedPoints check(const std::string& name, Model model, CloudReport& report) 
   report.unused_faces = model.unused_faces;
   if (model.positions.empty()) throw InputError(name + ": there are no points in it");
   report.has_normals = !model.normals.empty();
-  if (report.has_normals) {
-    refuse_coded(name, model);
-    drop_zero_normals(name, model);
-  }
-  report.incomplete = model.incomplete;
+  if (report.has_normals) refuse_coded(name, model);
   if (!report.has_normals) model.normals.assign(model.positions.size(), Vector3d::Zero());
   make_unit_normals(name, model, report);
+  if (report.has_normals) drop_zero_normals(name, model);  // behind what names points by their numbers
+  report.incomplete = model.incomplete;
   OrientedPoints points{std::move(model.positions), std::move(model.normals), std::move(model.stiffness)};
   merge_duplicates(points, report);
   if (points.size() < kFewestPoints) {

@@ -136,15 +136,14 @@ bool is_end_seen(const Scan& scan, std::uint32_t sample, std::vector<Neighbour>&
   const Vector3d away = outward(scan, sample);
   const double near = kBehind * scan.spacing(sample);
   scan.tree().within(own, kBeside * scan.spacing(sample), found);
-  double thickness = 0.0;  // of the wall, by the nearest sample on its other face
-  for (const Neighbour& other : found) {
-    const Vector3d step = scan.positions()[other.index] - own;
-    thickness = -step.dot(normal);
-    if (scan.normals()[other.index].dot(normal) < -kTurned && thickness > 0.0) break;
-  }
+  const auto depth_of = [&](const Neighbour& other) { return -(scan.positions()[other.index] - own).dot(normal); };
+  const auto behind = std::ranges::find_if(
+      found, [&](const Neighbour& other) { return scan.normals()[other.index].dot(normal) < -kTurned && depth_of(other) > 0.0; });
+  if (behind == found.end()) return false;
+  const double thickness = depth_of(*behind);  // of the wall, by the nearest sample on its other face
   return std::any_of(found.begin(), found.end(), [&](const Neighbour& other) {
     const Vector3d step = scan.positions()[other.index] - own;
-    const double depth = -step.dot(normal);
+    const double depth = depth_of(other);
     return scan.normals()[other.index].dot(away) > kTurned && step.dot(away) > -near && depth > -near && depth < thickness + near;
   });
 }

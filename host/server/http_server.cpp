@@ -58,7 +58,8 @@ struct SentBody {
         for (const asio::const_buffer part : beast::buffers_range_ref(buffers)) {
           const auto* bytes = static_cast<const std::uint8_t*>(part.data());
           const std::size_t wanted = body_.size() + part.size();
-          if (wanted > body_.capacity()) body_.reserve(std::max(wanted, std::min(announced_, 2 * body_.capacity())));
+          if (wanted > body_.capacity())
+            body_.reserve(std::max(wanted, static_cast<std::size_t>(std::min<std::uint64_t>(announced_, 2 * body_.capacity()))));
           body_.insert(body_.end(), bytes, bytes + part.size());
           size += part.size();
         }
@@ -71,7 +72,7 @@ struct SentBody {
 
    private:
     value_type& body_;
-    std::size_t announced_ = std::numeric_limits<std::size_t>::max();
+    std::uint64_t announced_ = std::numeric_limits<std::uint64_t>::max();
   };
 };
 

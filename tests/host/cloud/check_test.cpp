@@ -189,20 +189,24 @@ TEST(Check, NormalsNearlyOfUnitLengthAreBroughtToIt) {
 TEST(Check, FewPointsWithoutNormalAreLeftOutAndManyRefused) {
   OrientedPoints cloud = sample_shape(shape("sphere"), 100, 1);
   const auto set_zero = [&](std::size_t count) { std::fill_n(cloud.normals.begin() + 10, count, Vector3d::Zero()); };
-  set_zero(33);
+  set_zero(10);
   Model model = model_of(cloud);
   model.stiffness.assign(100, 1.0);
-  model.stiffness[43] = 2.0;
+  model.stiffness[20] = 2.0;
   CloudReport report;
   const OrientedPoints checked = check("cloud", model, report);
-  ASSERT_EQ(checked.size(), 67U);
-  EXPECT_EQ(checked.positions[10], cloud.positions[43]);
-  EXPECT_EQ(checked.normals[10], cloud.normals[43]);
+  ASSERT_EQ(checked.size(), 90U);
+  EXPECT_EQ(checked.positions[10], cloud.positions[20]);
+  EXPECT_EQ(checked.normals[10], cloud.normals[20]);
   EXPECT_EQ(checked.stiffness[10], 2.0);
   EXPECT_THAT(report.warnings(),
-              ::testing::ElementsAre("33 points were left out: the normal is zero, or it or a coordinate is not a finite number"));
-  set_zero(51);
-  expect_refused(model_of(cloud), "point 11: the normal is zero, as most of them are; remove these points, or choose --normals estimate");
+              ::testing::ElementsAre("10 points were left out: the normal is zero, or it or a coordinate is not a finite number"));
+  set_zero(11);
+  expect_refused(model_of(cloud),
+                 "point 11: the normal is zero, as at 11 of 100 points; remove these points, or choose --normals estimate");
+  set_zero(10);
+  cloud.normals[50] *= 3.0;
+  expect_refused(model_of(cloud), "point 51: the normal has length 3");
   cloud.normals.assign(100, Vector3d::Zero());
   expect_refused(model_of(cloud), "all normals are zero; choose --normals estimate");
 }
