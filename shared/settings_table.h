@@ -92,13 +92,8 @@ inline constexpr SettingRow kPenetration{"penetration_mm", "mm", 20, 0.1, 200, 2
 inline constexpr SettingRow kSpeed{"speed_mm_s", "mm/s", 12, 1, 100'000, 2000, "a hand faster than this gets no force"};
 inline constexpr SettingRow kHoldTicks{
     "hold_ticks", "ticks", 0, 1, 1000, 3, "ticks without a fresh packet, or missed ticks, until the force stops"};
-inline constexpr SettingRow kFaultAge{"fault_age",
-                                      "ns",
-                                      0,
-                                      1'000'000,
-                                      1'000'000'000,
-                                      100'000'000,
-                                      "how long a hold may last, or packets may be missing, until it is a fault"};
+inline constexpr SettingRow kFaultAge{
+    "fault_age", "ns", 0, 1'000'000, 1'000'000'000, 100'000'000, "how long a hold may last, or packets be missing, before it is a fault"};
 inline constexpr SettingRow kCountJump{
     "count_jump", "counts", 0, 10, 4000, 400, "largest change of an encoder in one tick that a hand can make"};
 inline constexpr SettingRow kRestRampTicks{
