@@ -80,26 +80,21 @@ ReplayReport run_all(Renderer& renderer, const Trace& trace, bool check, TraceWr
 
 }  // namespace
 
-void require_a_beginning(const Trace& trace) {
-  if (trace.kind() != InputKind::kPacket || !trace.header().has_outputs || trace.size() == 0) return;
+bool has_beginning(const Trace& trace) {
+  if (trace.kind() != InputKind::kPacket || !trace.header().has_outputs || trace.size() == 0) return true;
   const TraceRecord first = trace.record(0);
-  if ((first.input.requests & kRequestRestart) != 0) return;
+  if ((first.input.requests & kRequestRestart) != 0) return true;
   const TraceHeader& header = trace.header();
   core::TickState fresh;
   const core::TickModel model = core::make_tick_model(header.device, header.settings, header.period_ns);
   // What a controller saves at a fault or after a crash begins in a state that no run begins in, or with a packet that is not the first one heard.
   const Output begun = core::tick(first.input, nullptr, model, fresh);
-  if (begun.state == first.output.state && (begun.status & kCountJump) == (first.output.status & kCountJump)) return;
-  throw NoBeginning(trace.path() + ": begins in the middle of a run, so it cannot be replayed; look at it with isotouch trace show");
+  return begun.state == first.output.state && (begun.status & kCountJump) == (first.output.status & kCountJump);
 }
 
-bool has_beginning(const Trace& trace) {
-  try {
-    require_a_beginning(trace);
-    return true;
-  } catch (const NoBeginning&) {
-    return false;
-  }
+void require_a_beginning(const Trace& trace) {
+  if (has_beginning(trace)) return;
+  throw NoBeginning(trace.path() + ": begins in the middle of a run, so it cannot be replayed; look at it with isotouch trace show");
 }
 
 TraceHeader replay_header(const FieldView& field, const TraceHeader& inputs) {

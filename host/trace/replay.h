@@ -80,10 +80,11 @@ class NoBeginning : public InputError {
   using InputError::InputError;
 };
 
-/// fails     NoBeginning; a trace of positions, and one without outputs, begin anywhere
-void require_a_beginning(const Trace& trace);
-/// Whether it passes; else the settings of its header may be those before its first tick.
+/// Does a trace begin where its run begins? One of positions, and one without outputs, begin anywhere. Where it does not, the settings of its header may
+/// be older than those of its first tick.
 bool has_beginning(const Trace& trace);
+/// fails     NoBeginning: it has none
+void require_a_beginning(const Trace& trace);
 
 /// Runs a trace's inputs.
 ///

@@ -262,6 +262,13 @@ inline std::vector<std::vector<std::uint8_t>> frames_of(const store::PackedField
   return frames;
 }
 
+/// Says one thing and returns the answer.
+template <class... Message>
+Heard ask(Speaker& speaker, protocol::Kind kind, const Message&... message) {
+  speaker.say(kind, message...);
+  return speaker.hear();
+}
+
 /// Sends a field and returns the last answer.
 inline Heard upload(Speaker& speaker, const store::PackedField& field, std::size_t chunk = 4096) {
   Heard heard;

@@ -11,11 +11,6 @@ namespace {
 
 using protocol::Kind;
 
-Heard ask(Speaker& speaker, Kind kind) {
-  speaker.say(kind);
-  return speaker.hear();
-}
-
 TEST(ControlServerCalibration, MeasuresKeepsAndTells) {
   ControlRig rig;
   rig.calibration.answers("A1");

@@ -29,17 +29,6 @@ struct RoleRig : ControlRig {
         }) {}
 };
 
-Heard ask(Speaker& speaker, Kind kind) {
-  speaker.say(kind);
-  return speaker.hear();
-}
-
-template <class Message>
-Heard ask(Speaker& speaker, Kind kind, const Message& message) {
-  speaker.say(kind, message);
-  return speaker.hear();
-}
-
 /// The answer to each request that changes something, as far as the role decides it: true = it is not refused for the role.
 std::vector<bool> allowed(Speaker& speaker) {
   const auto is_allowed = [](const Heard& heard) { return heard.refusal().find("this takes the role") == std::string::npos; };

@@ -176,33 +176,35 @@ class Door {
   }
 };
 
-void give_two_places_and(Door& door, ControlSettings& settings) {
-  settings.clients = 2;
-  settings.poll = [&door](std::span<pollfd> polled, int wait_ms) { return door.poll(polled, wait_ms); };
-}
+/// A server whose two places are taken.
+struct Crowded {
+  Door door;
+  ControlRig rig{1 << 20, [this](ControlSettings& settings) {
+                   settings.clients = 2;
+                   settings.poll = [this](std::span<pollfd> polled, int wait_ms) { return door.poll(polled, wait_ms); };
+                 }};
+  const std::string& path = rig.settings.path;
+  Speaker one{path}, two{path};
+
+  Crowded() { one.greet(), two.greet(); }
+};
 
 TEST(ControlServer, WhoeverSaysNothingHasThePlaceForAStopForAHundredthOfASecond) {
-  Door door;
-  ControlRig rig(1 << 20, [&](ControlSettings& settings) { give_two_places_and(door, settings); });
-  Speaker one(rig.settings.path), two(rig.settings.path);
-  one.greet(), two.greet();
-  Speaker silent(rig.settings.path);
-  door.wait_until_open();
-  const std::lock_guard lock(door.mutex);
-  EXPECT_LE(door.longest_closed_ms, 11);
+  Crowded crowded;
+  Speaker silent(crowded.path);
+  crowded.door.wait_until_open();
+  const std::lock_guard lock(crowded.door.mutex);
+  EXPECT_LE(crowded.door.longest_closed_ms, 11);
 }
 
 TEST(ControlServer, AStopThatComesWithTheNextClientGetsThrough) {
-  Door door;
-  ControlRig rig(1 << 20, [&](ControlSettings& settings) { give_two_places_and(door, settings); });
-  Speaker one(rig.settings.path), two(rig.settings.path);
-  one.greet(), two.greet();
-  Speaker stop(rig.settings.path);
+  Crowded crowded;
+  Speaker stop(crowded.path);
   EXPECT_EQ(stop.greet().kind, Kind::kWelcome);
-  door.wait_until_open();
-  std::unique_lock lock(door.mutex);
+  crowded.door.wait_until_open();
+  std::unique_lock lock(crowded.door.mutex);
   stop.say(Kind::kStop);
-  Speaker next(rig.settings.path);
+  Speaker next(crowded.path);
   lock.unlock();
   EXPECT_EQ(stop.hear().kind, Kind::kDone);
   expect_sentence(stop.hear(), "2 clients are connected");
@@ -210,19 +212,16 @@ TEST(ControlServer, AStopThatComesWithTheNextClientGetsThrough) {
 }
 
 TEST(ControlServer, WhoeverGreetsBesideTheNextClientMayStillStop) {
-  Door door;
-  ControlRig rig(1 << 20, [&](ControlSettings& settings) { give_two_places_and(door, settings); });
-  Speaker one(rig.settings.path), two(rig.settings.path);
-  one.greet(), two.greet();
+  Crowded crowded;
   const std::vector<std::uint8_t> hello = frames_of(store::packed_ball(1), 512).front();
   bool has_stopped = false;
   for (int tries = 0; tries < 20 && !has_stopped; ++tries) {  // on a busy machine the tenth of a second may be over before the stop is said
-    door.wait_until_open(false);
-    Speaker stop(rig.settings.path);
-    door.wait_until_open();
-    std::unique_lock lock(door.mutex);
+    crowded.door.wait_until_open(false);
+    Speaker stop(crowded.path);
+    crowded.door.wait_until_open();
+    std::unique_lock lock(crowded.door.mutex);
     ASSERT_TRUE(stop.send(hello));
-    Speaker next(rig.settings.path);
+    Speaker next(crowded.path);
     lock.unlock();
     ASSERT_EQ(stop.hear().kind, Kind::kWelcome);
     stop.say(Kind::kStop);

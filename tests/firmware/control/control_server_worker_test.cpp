@@ -18,11 +18,6 @@ namespace {
 
 using protocol::Kind;
 
-Heard answer_to(Speaker& speaker, Kind kind) {
-  speaker.say(kind);
-  return speaker.hear();
-}
-
 protocol::Calibrate near_angles() {
   const std::uint32_t near = libnifalcon_model().legs[0].at_zero.raw();
   return {protocol::Text::of("A1"), {near + 5, near + 6, near + 7}};
@@ -41,7 +36,7 @@ void begin_to_load(ControlRig& rig, Speaker& sender, const store::PackedField& f
 
 /// Whether the server has said anything to the first by the time it has answered the other one, who asks later. Twice, for it answers many in one turn.
 bool has_been_answered(const Speaker& speaker, Speaker& other) {
-  for (int twice = 0; twice < 2; ++twice) EXPECT_EQ(answer_to(other, Kind::kStatus).kind, Kind::kStatusReport);
+  for (int twice = 0; twice < 2; ++twice) EXPECT_EQ(ask(other, Kind::kStatus).kind, Kind::kStatusReport);
   pollfd one{speaker.socket(), POLLIN, 0};
   return ::poll(&one, 1, 0) != 0;
 }
@@ -83,7 +78,7 @@ TEST(ControlServerWorker, NobodyMeasuresWhileAStoredFieldIsLoaded) {
   rig.check_is_busy = true;
   sender.say(Kind::kSelect, protocol::Select{ball.promise.image_hash});
   while (rig.checked == 0) std::this_thread::yield();
-  expect_sentence(answer_to(other, Kind::kPosture), "another client is sending a field");
+  expect_sentence(ask(other, Kind::kPosture), "another client is sending a field");
   rig.let_check_end();
   EXPECT_EQ(sender.hear().kind, Kind::kAccepted);
 }
@@ -97,8 +92,8 @@ TEST(ControlServerWorker, WhoeverComesInPlaceOfOneThatHungUpGetsNoAnswerOfIts) {
   Speaker next(rig.settings.path);
   EXPECT_EQ(next.greet().kind, Kind::kWelcome);
   rig.let_check_end();
-  EXPECT_EQ(answer_to(other, Kind::kFields).kind, Kind::kFieldList) << "the worker has ended";
-  EXPECT_EQ(answer_to(next, Kind::kStatus).kind, Kind::kStatusReport);
+  EXPECT_EQ(ask(other, Kind::kFields).kind, Kind::kFieldList) << "the worker has ended";
+  EXPECT_EQ(ask(next, Kind::kStatus).kind, Kind::kStatusReport);
 }
 
 TEST(ControlServerWorker, WhoeverWaitsForASlowDiskIsNoIdler) {
@@ -130,7 +125,7 @@ TEST(ControlServerAnswers, AListOfFieldsEndsWhereAFrameIsFull) {
   ASSERT_EQ(rig.server->start().sentence(), "");
   Speaker speaker(rig.settings.path);
   speaker.greet();
-  const Heard heard = answer_to(speaker, Kind::kFields);
+  const Heard heard = ask(speaker, Kind::kFields);
   ASSERT_EQ(heard.kind, Kind::kFieldList);
   const auto list = *protocol::decode<protocol::FieldList>(heard.body);
   EXPECT_GT(list.count, 500);
@@ -156,7 +151,7 @@ TEST(ControlServerAnswers, OfSettingsThatFillMoreThanAFrameWholeLinesAreTold) {
   ASSERT_EQ(server.start().sentence(), "");
   Speaker speaker(rig.settings.path);
   speaker.greet();
-  const Heard heard = answer_to(speaker, Kind::kSettings);
+  const Heard heard = ask(speaker, Kind::kSettings);
   ASSERT_EQ(heard.kind, Kind::kSettingsReport);
   const auto told = protocol::decode<protocol::SettingsReport>(heard.body)->different;
   EXPECT_GT(told.size(), 60'000U);
