@@ -65,13 +65,13 @@ std::array<float, 64> BrickBlend::operator()(const Eigen::Vector3d& first, std::
   return blend(near, doubt);
 }
 
-std::array<float, 64> blend_body(std::span<const BlendCandidate> candidates, float reach, float depth) {
+BrickReading blend_body(std::span<const BlendCandidate> candidates, float reach, float depth) {
   static const std::size_t lanes = vector_lanes();
   static const auto blend = lanes == 16 ? blend_body_by_sixteens : lanes == 8 ? blend_body_by_eights : blend_body_by_fours;
   return blend(candidates, reach, depth);
 }
 
-std::array<float, 64> nearest_distances(std::span<const BlendCandidate> candidates) {
+BrickReading nearest_distances(std::span<const BlendCandidate> candidates) {
   static const std::size_t lanes = vector_lanes();
   static const auto distances = lanes == 16  ? nearest_distances_by_sixteens
                                 : lanes == 8 ? nearest_distances_by_eights

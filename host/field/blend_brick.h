@@ -77,6 +77,12 @@ std::array<float, 64> blend_by_fours(std::span<const BlendCandidate> candidates,
 std::array<float, 64> blend_by_eights(std::span<const BlendCandidate> candidates, BrickBlend::Doubt& doubt);
 std::array<float, 64> blend_by_sixteens(std::span<const BlendCandidate> candidates, BrickBlend::Doubt& doubt);
 
+/// What the candidates near a brick say of its 64 places, and how far that reaches.
+struct BrickReading {
+  std::array<float, 64> distance{};
+  float influence = 0.0F;  ///< squared, from the brick's middle, rounded up: a sample farther away would change none of them
+};
+
 /// The same without balls and doubt, of a body that ends where its samples do. To the sides of a sample there is body up to its `body`, straight
 /// behind it up to `depth`, and in between up to in between. How far behind a place lies is its blended distance over the nearest sample's, or over
 /// reach - depth where that is less. `body` is blended as the distance is, so the result is continuous.
@@ -86,17 +92,17 @@ std::array<float, 64> blend_by_sixteens(std::span<const BlendCandidate> candidat
 /// reach        samples farther away from a place do not count there; `depth` and the band
 /// depth        at least every `body`
 /// returns      distances; `reach` - `depth` or more where no sample is in reach
-std::array<float, 64> blend_body(std::span<const BlendCandidate> candidates, float reach, float depth);
-std::array<float, 64> blend_body_by_fours(std::span<const BlendCandidate> candidates, float reach, float depth);
-std::array<float, 64> blend_body_by_eights(std::span<const BlendCandidate> candidates, float reach, float depth);
-std::array<float, 64> blend_body_by_sixteens(std::span<const BlendCandidate> candidates, float reach, float depth);
+BrickReading blend_body(std::span<const BlendCandidate> candidates, float reach, float depth);
+BrickReading blend_body_by_fours(std::span<const BlendCandidate> candidates, float reach, float depth);
+BrickReading blend_body_by_eights(std::span<const BlendCandidate> candidates, float reach, float depth);
+BrickReading blend_body_by_sixteens(std::span<const BlendCandidate> candidates, float reach, float depth);
 
 /// How far the nearest of the candidates is from each of the 64 places.
 ///
 /// candidates   at least one; among them the nearest of every place
-std::array<float, 64> nearest_distances(std::span<const BlendCandidate> candidates);
-std::array<float, 64> nearest_distances_by_fours(std::span<const BlendCandidate> candidates);
-std::array<float, 64> nearest_distances_by_eights(std::span<const BlendCandidate> candidates);
-std::array<float, 64> nearest_distances_by_sixteens(std::span<const BlendCandidate> candidates);
+BrickReading nearest_distances(std::span<const BlendCandidate> candidates);
+BrickReading nearest_distances_by_fours(std::span<const BlendCandidate> candidates);
+BrickReading nearest_distances_by_eights(std::span<const BlendCandidate> candidates);
+BrickReading nearest_distances_by_sixteens(std::span<const BlendCandidate> candidates);
 
 }  // namespace isotouch::field

@@ -1,6 +1,7 @@
 /// The blend of one brick, as many samples at a time as the source that includes this is compiled for. Each has its own: nothing here is shared.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -155,7 +156,7 @@ Rows blended(const Neighbourhood& around, Rows* bodies = nullptr) {
     for (std::size_t r = 0; r < kRows; ++r) {
       const Lanes share = larger(1.0F - n.away[r] * scale[r], Lanes{});
       const Lanes nearness = (share * share) * (share * share);
-      const auto counts = nearness >= light[r];
+      const auto counts = (nearness >= light[r]) & (n.away[r] <= around.border[r]);
       if (!any(counts)) continue;
       const Lanes weight = counts ? n.model->trust * nearness + kNoWeight : Lanes{};
       sum[r] += weight * model_distance(*n.model, row_of_block(r) - n.own, n.away[r], counts);
@@ -163,6 +164,7 @@ Rows blended(const Neighbourhood& around, Rows* bodies = nullptr) {
       if constexpr (kBodies) body[r] += weight * n.model->body;
     }
   }
+  for (Lanes& row : weights) row = larger(row, all<Lanes>(kNoWeight));  // where no sample counts
   for (std::size_t r = 0; r < kRows; ++r) sum[r] /= weights[r];
   if constexpr (kBodies) {
     for (std::size_t r = 0; r < kRows; ++r) (*bodies)[r] = body[r] / weights[r];
@@ -225,13 +227,25 @@ void store_block(const Rows& value, std::size_t y, std::size_t z, std::array<flo
   }
 }
 
+/// How far from the brick's middle a sample may lie and still be as near to one of a block's places as `border`; rounded up.
+float farthest(const Rows& border, const Point& block) {
+  constexpr float kRounding = 1e-3F;
+  Lanes most{};
+  for (std::size_t r = 0; r < kRows; ++r)
+    most = larger(root(border[r]) + root((row_of_block(r) - Point{-block.x, -block.y, -block.z}).squared_length()), most);
+  return largest(most) + kRounding;
+}
+
 /// What `blend_body` does.
-__attribute__((flatten)) std::array<float, 64> body_blocks(std::span<const BlendCandidate> candidates, float reach, float depth) {
+__attribute__((flatten)) BrickReading body_blocks(std::span<const BlendCandidate> candidates, float reach, float depth) {
   thread_local Neighbourhood around;  // keeps its memory
-  std::array<float, 64> result;
+  BrickReading result;
+  float most = 0.0F;
   for (std::size_t z = 0; z < 4; z += 2) {
     for (std::size_t y = 0; y < 4; y += 2) {
-      around.gather(candidates, {0.0F, static_cast<float>(y) - 1.0F, static_cast<float>(z) - 1.0F}, reach * reach);
+      const Point block = {0.0F, static_cast<float>(y) - 1.0F, static_cast<float>(z) - 1.0F};
+      around.gather(candidates, block, reach * reach);
+      most = std::max(most, farthest(around.border, block));
       Rows value;
       if (around.near.empty()) {
         value.fill(all<Lanes>(reach));
@@ -244,28 +258,32 @@ __attribute__((flatten)) std::array<float, 64> body_blocks(std::span<const Blend
           value[r] = larger(nearest - body[r] - (depth - body[r]) * behind, value[r]);
         }
       }
-      store_block(value, y, z, result);
+      store_block(value, y, z, result.distance);
     }
   }
+  result.influence = most * most;
   return result;
 }
 
 /// What `nearest_distances` does.
-__attribute__((flatten)) std::array<float, 64> nearest_blocks(std::span<const BlendCandidate> candidates) {
-  std::array<float, 64> result;
+__attribute__((flatten)) BrickReading nearest_blocks(std::span<const BlendCandidate> candidates) {
+  BrickReading result;
+  float most = 0.0F;
   for (std::size_t z = 0; z < 4; z += 2) {
     for (std::size_t y = 0; y < 4; y += 2) {
-      const Point shift = {0.0F, static_cast<float>(y) - 1.0F, static_cast<float>(z) - 1.0F};
+      const Point block = {0.0F, static_cast<float>(y) - 1.0F, static_cast<float>(z) - 1.0F};
       Rows least;
       least.fill(all<Lanes>(kFar));
       for (const BlendCandidate& c : candidates) {
-        const Point own = c.own - shift;
+        const Point own = c.own - block;
         for (std::size_t r = 0; r < kRows; ++r) least[r] = lesser((row_of_block(r) - own).squared_length(), least[r]);
       }
+      most = std::max(most, farthest(least, block));
       for (Lanes& row : least) row = root(row);
-      store_block(least, y, z, result);
+      store_block(least, y, z, result.distance);
     }
   }
+  result.influence = most * most;
   return result;
 }
 

@@ -6,10 +6,10 @@ std::array<float, 64> blend_by_sixteens(std::span<const BlendCandidate> candidat
   return blend_blocks(candidates, doubt);
 }
 
-std::array<float, 64> blend_body_by_sixteens(std::span<const BlendCandidate> candidates, float reach, float depth) {
+BrickReading blend_body_by_sixteens(std::span<const BlendCandidate> candidates, float reach, float depth) {
   return body_blocks(candidates, reach, depth);
 }
 
-std::array<float, 64> nearest_distances_by_sixteens(std::span<const BlendCandidate> candidates) { return nearest_blocks(candidates); }
+BrickReading nearest_distances_by_sixteens(std::span<const BlendCandidate> candidates) { return nearest_blocks(candidates); }
 
 }  // namespace isotouch::field

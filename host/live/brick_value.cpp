@@ -69,21 +69,21 @@ void close(const Eigen::Vector3i& first, const Eigen::Vector3i& size, float band
 
 BrickValue brick_value(const Eigen::Vector3i& first, const Eigen::Vector3i& size, const Reach& reach, NearSamples& near) {
   BrickValue result;
-  result.influence = near.influence_on_nearest();
+  result.influence = near.influence();
   if (near.nearest().empty()) return result;
   const Eigen::Vector3d middle = first.cast<double>() + Eigen::Vector3d::Constant(1.5);
   const Middle at_middle = middle_value(middle, reach, near.nearest());
   if (at_middle.value > reach.band + kSlope * kBrickReach) return result;
   const auto depth = static_cast<float>(reach.depth);
-  std::array<float, 64> distance;
+  field::BrickReading places;
+  std::array<float, 64>& distance = places.distance;
   if (at_middle.blend < -reach.band - kSlopeBehind * kBrickReach) {  // all places are straight behind their nearest sample
-    result.influence = near.influence_on_distance();
-    distance = field::nearest_distances(near.candidates());
+    places = field::nearest_distances(near.candidates());
     for (float& d : distance) d -= depth;
   } else {
-    result.influence = near.influence();
-    distance = field::blend_body(near.candidates(), static_cast<float>(reach.blend), depth);
+    places = field::blend_body(near.candidates(), static_cast<float>(reach.blend), depth);
   }
+  result.influence = std::max(result.influence, places.influence);
   const auto band = static_cast<float>(reach.band);
   const int closing = static_cast<int>(std::ceil(2.0 * reach.band)) + 2;  // layers in which the border's distance may be above -band
   if ((first.array() < closing).any() || (first.array() + 4 > size.array() - closing).any()) close(first, size, band, distance);

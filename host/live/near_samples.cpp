@@ -61,14 +61,14 @@ void NearSamples::find(float bound) {
 }
 
 std::span<const field::BlendCandidate> NearSamples::candidates() {
-  if (influence_ > bound_) find(influence_);
+  if (within_ > bound_) find(within_);
   candidates_.clear();
   const auto add = [&](std::size_t n) {
     candidates_.push_back({&live_[n]->blended, {x_[n] - middle_x_, y_[n] - middle_y_, z_[n] - middle_z_}});
   };
   for (const Nearest& n : nearest_) add(n.sample);
   for (const Away& a : found_) {
-    if (a.square >= ninth_ && a.square <= influence_ && (a.square > ninth_ || !is_nearest(a.sample))) add(a.sample);
+    if (a.square >= ninth_ && a.square <= within_ && (a.square > ninth_ || !is_nearest(a.sample))) add(a.sample);
   }
   return candidates_;
 }
@@ -89,15 +89,12 @@ void NearSamples::choose_nearest() {
     nearest_[place] = {a.square, a.sample, live_[a.sample]};
     if (nearest_.size() == kCounted) worst = nearest_.back().squared_distance;
   }
-  const bool enough = nearest_.size() == kCounted;
-  ninth_ = enough ? nearest_.back().squared_distance : farthest_;
-  influence_ = enough ? std::min(around(ninth_), farthest_) : farthest_;
-}
-
-float NearSamples::around(float square) {
-  constexpr float kTwice = 5.1962F;  // twice from a brick's middle to its corners, rounded up
-  const float most = std::sqrt(square) + kTwice;
-  return most * most;
+  ninth_ = within_ = farthest_;
+  if (nearest_.size() < kCounted) return;
+  constexpr float kTwice = 5.1962F;  // from a brick's middle to its corners and back, rounded up
+  ninth_ = nearest_.back().squared_distance;
+  const float most = std::sqrt(ninth_) + kTwice;
+  within_ = std::min(most * most, farthest_);
 }
 
 }  // namespace isotouch::live

@@ -38,12 +38,8 @@ class NearSamples {
   std::span<const field::BlendCandidate> candidates();
   /// The nine nearest to the middle, ascending; fewer where there are not as many.
   std::span<const Nearest> nearest() const { return nearest_; }
-  /// Squared, from the middle: a sample beyond that would not change the candidates,
-  float influence() const { return influence_; }
-  /// or not those nearest to the middle,
-  float influence_on_nearest() const { return ninth_; }
-  /// or not those, nor which one is nearest to each place. Where there are some.
-  float influence_on_distance() const { return std::min(std::max(ninth_, around(nearest_.front().squared_distance)), farthest_); }
+  /// Squared, from the middle: a sample beyond that would not change them.
+  float influence() const { return ninth_; }
 
  private:
   struct Away {
@@ -54,9 +50,6 @@ class NearSamples {
   bool is_nearest(std::uint32_t sample) const;
   void find(float bound);
   void choose_nearest();
-  /// What matters at some place of the brick, of what is so far from all of them that it counts there, is no farther from the middle; squared.
-  static float around(float square);
-
   Reach reach_{1.0};
   std::vector<float> x_, y_, z_;  ///< from the node's first place
   std::vector<const LiveModel*> live_;
@@ -66,7 +59,7 @@ class NearSamples {
   std::vector<field::BlendCandidate> candidates_;
   float middle_x_ = 0.0F, middle_y_ = 0.0F, middle_z_ = 0.0F;
   float farthest_ = 0.0F, bound_ = 0.0F;  ///< squared; of what was found
-  float ninth_ = 0.0F, influence_ = 0.0F;
+  float ninth_ = 0.0F, within_ = 0.0F;    ///< the candidates
 };
 
 }  // namespace isotouch::live

@@ -46,6 +46,24 @@ void expect_whole(unsigned threads) {
 TEST(LiveField, IsTheFieldOfAllPresentPointsToTheByte) { expect_whole(1); }
 TEST(LiveField, IsTheSameWithSevenThreads) { expect_whole(7); }
 
+/// Also where 1 / reach², in floats, is more or less than it is.
+TEST(LiveField, IsTheSameWithOtherBands) {
+  for (const double band : {1.0, 1.14, 1.5, 2.54, 2.98, 3.16, 5.3, 7.99}) {
+    test::RandomBatches batches(cloud::shape("owl"), 24, 3);
+    LiveField field(batches.grid(), band, {});
+    for (int n = 0; n < 3; ++n) {
+      field.apply(batches.next());
+      LiveField whole(batches.grid(), band, {});
+      whole.apply(batches.whole());
+      const field_file::Image image = field.image();
+      ASSERT_TRUE(same(image, whole.image())) << band;
+      const auto view = FieldView::parse(image.bytes());
+      ASSERT_TRUE(view.has_value()) << band;
+      EXPECT_GT(view->brick_count, 20U);
+    }
+  }
+}
+
 /// Points of a sphere in the middle of a grid of one voxel a millimetre.
 struct Ball {
   field::Grid grid = field::make_grid(Vector3d::Constant(-20), Vector3d::Constant(20), 1.0, 16);
