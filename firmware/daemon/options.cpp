@@ -61,6 +61,9 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
       ->transform(CLI::Validator(files::refusal_of_other_number, ""));  // before the other check, like all that transform
   CLI::App* relay = app.add_subcommand("relay", "copy standard input and output to and from the control socket of a running controller");
   relay->add_option("socket", relay_socket, "its path")->capture_default_str();
+  app.footer(
+      "Exit codes: 0 done, 1 bad input or a lost recording, 2 wrong usage, 4 the recording ended early; what came until then is kept; "
+      "128 + N ended by signal N, which nobody sends on purpose.");  // behind the sub-command, which would take it over
   for (CLI::App* command : {&app, relay}) {
     for (CLI::Option* option : command->get_options({})) {
       if (option->get_expected_max() > 0) option->transform(CLI::Validator(files::refusal_of_empty, ""));
