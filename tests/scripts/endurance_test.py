@@ -55,6 +55,16 @@ class EnduranceTest(unittest.TestCase):
         self.assertEqual(packets, sorted(set(packets)))
         self.assertEqual(endurance.faults_for(1000, random.Random(4)), endurance.faults_for(1000, random.Random(4)))
 
+    def test_the_device_must_have_had_what_was_ordered(self) -> None:
+        orders = "at 5 short\nat 9 late 3\nat 12 merged\n"
+        end = "falcon-sim: 10 packets, torque until the 7th\n"
+        self.assertEqual(endurance.met_by("falcon-sim: ready\nfalcon-sim: at 5 short\nfalcon-sim: at 9 late 3\n" + end, orders), {"short": 1, "late": 1})
+        for had in ("", "falcon-sim: at 5 short\n", "falcon-sim: at 5 short\nfalcon-sim: at 9 late 4\n"):
+            with self.assertRaisesRegex(endurance.Failure, f"2 faults were ordered until packet 10, and the simulated Falcon had {had.count(': at ')}"):
+                endurance.met_by(had + end, orders)
+        with self.assertRaisesRegex(endurance.Failure, "how many packets"):
+            endurance.met_by("", orders)
+
     def test_an_acknowledged_field_that_is_not_active_is_noticed(self) -> None:
         self.assertEqual(self.it.upload(self.chance), "upload: done")
         self.desk.now["field_hash"] = "b"
@@ -83,7 +93,9 @@ class EnduranceTest(unittest.TestCase):
     def test_force_that_does_not_come_back_is_noticed(self) -> None:
         self.desk.now |= {"state": "fault", "faults": ["silent"], "sentence": "fault: no answer"}
         self.assertEqual(self.it.hand(self.chance), "resume: done")
-        self.assertEqual(self.it.faults, {"silent": 1})
+        self.desk.now["faults"] = ["silent", "stopped"]
+        self.it.hand(self.chance)
+        self.assertEqual(self.it.faults, {"silent": 1}, "a stop is no fault of the device")
         self.it.touched -= endurance.LONGEST_WITHOUT_TOUCH + 1
         self.fails("hand", "the state is fault, with silent")
 

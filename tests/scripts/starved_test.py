@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import itertools
+import random
 import subprocess
 import unittest
 from collections.abc import Iterator
@@ -40,6 +41,19 @@ class Shortage(starved.Starved):   # type: ignore[misc, name-defined]
         return "1"
 
 
+class Steady:
+    """A controller whose ticks go on, with the field of the hash 1 whatever is uploaded."""
+    control = "unix:control"
+    ticks = 0
+
+    def ask(self, *command: str | Path) -> subprocess.CompletedProcess[str]:
+        return subprocess.CompletedProcess(command, 0, "", "")
+
+    def status(self) -> dict[str, int | str]:
+        self.ticks += 1
+        return {"ticks": self.ticks, "field_hash": "1"}
+
+
 class StarvedTest(unittest.TestCase):
     def test_a_number_that_is_none_is_wrong_usage(self) -> None:
         for arguments in (("0",), ("1", "x"), ("1", "2", "3"), ("1234567",)):
@@ -50,6 +64,14 @@ class StarvedTest(unittest.TestCase):
         self.assertEqual(code, 1, said)
         self.assertIn("starved: isotouch info", said)
         self.assertNotIn("LEFT BEHIND", said)
+
+    def test_an_acknowledged_field_that_is_not_active_is_noticed(self) -> None:
+        it = starved.Starved.__new__(starved.Starved)
+        it.desk, it.fields, it.hash_of, it.chance = Steady(), ["a"], {"a": "1"}, random.Random(1)
+        self.assertEqual(it.works("at rest"), "1")
+        it.hash_of["a"] = "2"
+        with self.assertRaisesRegex(starved.Failure, "at rest: the field 2 was acknowledged, and 1 is active"):
+            it.works("at rest")
 
     def short_of_memory(self, *answers: tuple[int, str]) -> str:
         """What the part about memory says of a controller whose requests are answered so, in turn and from the beginning."""
