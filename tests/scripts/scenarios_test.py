@@ -34,6 +34,7 @@ status_of() { echo 0; }
 controller_process=7 falcon_process=8
 """
 TRACED = "1000 mark traced\n" + "".join(f"{2000 + 1000 * n} 2 {n % 2}\n" for n in range(100)) + "102000 mark killed\n102500 2 0\n103000 mark gone\n200000 mark end\n"
+CRASHED = "the previous run crashed, was killed, lost power or ended before a person had resumed; no force until 'resume'\n"
 LOCKED = "Name:\tisotouchd\nVmLck:\t   70000 kB\n"
 
 
@@ -54,8 +55,13 @@ class ScenariosTest(unittest.TestCase):
 
     def test_killed_needs_a_heartbeat_in_the_trace_before_the_signal(self) -> None:
         (self.room / "run/falcon.log").write_text("falcon-sim: 9 packets, torque until the 7th, ran out 1 times, ...\n")
-        edges = self.room / "run/edges"
+        edges, log = self.room / "run/edges", self.room / "run/controller.log"
         edges.write_text(TRACED)
+        log.write_text("state: active\n")
+        code, said = self.scenario("killed")
+        self.assertEqual(code, 1, said)
+        self.assertIn("the start after a kill does not know of it", said)
+        log.write_text(CRASHED)
         code, said = self.scenario("killed")
         self.assertEqual(code, 0, said)
         self.assertIn("the heartbeat's last edge 500 us after the signal", said)
@@ -66,6 +72,15 @@ class ScenariosTest(unittest.TestCase):
             self.assertIn("the trace shows no heartbeat before the signal", said)
         edges.write_text(TRACED.replace("200000", "150000 2 1\n200000"))
         self.assertIn("the heartbeat goes on", self.scenario("killed")[1])
+
+    def test_emergency_stop_waits_until_the_motors_are_enabled(self) -> None:
+        """The line is low when it is first looked at, and high from the third time on."""
+        slow = """
+line() { echo >>/run/looked; [ $(wc -l </run/looked) -lt 3 ] && echo 0 || echo 1; }
+press_stop() { exit 9; }
+"""
+        code, said = self.scenario("emergency-stop", slow)
+        self.assertEqual(code, 9, said)
 
     def test_stream_needs_the_last_field_and_a_hand_that_feels_it(self) -> None:
         (self.room / "fields").mkdir()
