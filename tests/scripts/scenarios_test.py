@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""What scenarios of the virtual board promise, where what they look at shows nothing: the real script, with the board's functions replaced."""
+"""What scenarios of the virtual board promise, where what they look at shows nothing: the real script, with the board's functions replaced. And what those
+with the world outside promise of a board that leaves a fault by itself.
+"""
 
 from __future__ import annotations
 
@@ -32,6 +34,15 @@ tail() { [ "$1" != /dev/zero ] || return 0; command tail "$@"; }
 dmesg() { echo 'Out of memory: Killed process 7 (tail)'; }
 status_of() { echo 0; }
 controller_process=7 falcon_process=8
+"""
+# The fault is left where nobody resumed, but not before the hand of the device has homed it.
+OUTSIDE = """
+for name in start_falcon start_board mark feel happened eventually kill_falcon release_stop conclude say; do eval "$name() { :; }"; done
+board() { [ "$1" != sleep ] || slept=yes; }
+does() { [ "$*" = 'is_in fault' ] && [ "${slept:-no}" != "$leaves" ]; }
+beats() { [ "$1" = 0.1 ]; }
+fail() { echo "FAILED: $*"; exit 1; }
+room=.
 """
 TRACED = "1000 mark traced\n" + "".join(f"{2000 + 1000 * n} 2 {n % 2}\n" for n in range(100)) + "102000 mark killed\n102500 2 0\n103000 mark gone\n200000 mark end\n"
 CRASHED = "the previous run crashed, was killed, lost power or ended before a person had resumed; no force until 'resume'\n"
@@ -110,6 +121,14 @@ refused=none felt_field=0123456789abcdef allocations=0 ticks=1000
             code, said = self.scenario("low-memory")
             self.assertEqual(code, 1, said)
             self.assertIn("the controller's memory is not locked", said)
+
+    def test_a_board_outside_that_leaves_a_fault_once_the_device_is_homed_is_noticed(self) -> None:
+        for name in ("controller-killed", "firmware-lost", "killed", "unplug"):
+            for leaves, code, said in (("never", 0, "^$"), ("yes", 1, "^FAILED: (left the fault by itself|forces came back by themselves)\n$")):
+                script = f"leaves={leaves}\n{OUTSIDE}{(RIG.parent / 'outside/scenarios' / name).read_text()}"
+                ended = subprocess.run(["bash", "-c", script], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=60, cwd=self.room)
+                self.assertEqual(ended.returncode, code, name)
+                self.assertRegex(ended.stdout, said)
 
     def terminated(self, packets: int, torque: int, commands: str) -> tuple[int, str]:
         (self.room / "run/falcon.log").write_text(f"falcon-sim: {packets} packets, torque until the {torque}th, ran out 0 times, ...\n")
