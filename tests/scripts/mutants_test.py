@@ -78,6 +78,29 @@ class MutantsTest(fakes.Tree):
         self.assertEqual(code, 0)
         self.assertIn("test program test_shared, exit code 134", said)
 
+    def test_a_time_limit_catches_only_where_what_is_not_broken_ends(self) -> None:
+        """124 is what a limit leaves. Where there is `slow`, the machine is too slow from the first limit on."""
+        hangs = "if grep -q 'by test' build/mutants/tree/shared/core.h || [ -f late ]; then [ ! -f slow ] || touch late; exit 124; fi\n"
+        self.wiring()
+        named = (self.root / "hil/mutants/list").read_text().replace("seen by ctest", "seen by test")
+        for program, text, what in (("build/mutants/build/bin/replay_plain", LIST, "case ball"),
+                                    ("build/mutants/build/bin/test_shared", LIST, "test program test_shared"),
+                                    ("path/ctest", named, "ctest -R '\\^loop:'")):
+            self.script("hil/cases/run", "echo ball\n")
+            before = (self.root / program).read_text()
+            self.script(program, hangs)
+            self.list(text)
+            (self.root / "slow").unlink(missing_ok=True)
+            code, said, _ = self.mutants("two", "three")
+            self.assertEqual(code, 0, said)
+            self.assertRegex(said, f"killed    t.* {what} does not end within its time limit, and without the mutant it does \\(")
+            (self.root / "slow").touch()
+            code, said, _ = self.mutants("two", "three")
+            self.assertEqual((code, said.splitlines()[-1]), (3, "1 mutants: 0 killed by cases, 0 by tests, 0 survived, 1 timed out"))
+            self.assertRegex(said, f"TIMED OUT t.*: {what} does not end within its time limit, nor without the mutant; ")
+            (self.root / "late").unlink()
+            (self.root / program).write_text(before)
+
     def test_a_mutant_that_does_not_apply_or_is_not_whole_survives(self) -> None:
         for text in (LIST.replace("-good", "-gone"), LIST.replace("-good", "-o"), LIST.replace("-good\n", ""), LIST.replace("why a", "#"), LIST.replace("file s", "file x")):
             self.list(text)
