@@ -24,13 +24,19 @@ struct Heard {
 /// Says on the pipe what a child begins and what is acknowledged.
 class Reporter {
  public:
-  explicit Reporter(int pipe) : pipe_(pipe) {}
+  /// rests_after   so many acknowledged writes, until it is killed; 0: never
+  Reporter(int pipe, Number rests_after) : pipe_(pipe), left_(rests_after) {}
   void begin(Number number) const { say(number << 1); }
-  void done(Number number) const { say(number << 1 | 1); }
+  void done(Number number) const {
+    say(number << 1 | 1);
+    while (left_ == 1) ::pause();
+    if (left_ > 1) --left_;
+  }
 
  private:
   void say(Number word) const { (void)!::write(pipe_, &word, sizeof word); }
   int pipe_;
+  mutable Number left_;
 };
 
 /// Why a trial fails, as one clause; empty: all holds.
