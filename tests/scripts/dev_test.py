@@ -47,7 +47,7 @@ class DevTest(fakes.Tree):
 
     def view(self, **environment: str) -> tuple[int, str]:
         """Exit code and last line."""
-        self.take("tests/integration/failed_tests")
+        self.take("tests/integration/not_passed")
         for name in ("bundle_check", "view_test.mjs"):
             self.script(f"tests/host/page/{name}", PAGE_TEST)
         code, said, _ = self.dev("test", "view", **environment)
