@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "firmware/control/relay.h"
 #include "firmware/falcon/falcon_list.h"
@@ -38,6 +40,19 @@ bool read_device(const std::string& text, Options& options) {
   return (kind == "sim" || kind == "replay") && !options.name.empty();
 }
 
+/// What takes the place of a run stands alone.
+Refusal refusal_of_company(const CLI::App& app) {
+  for (const char* alone : {"--check-config", "--print-config", "--list"}) {
+    if (app.count(alone) == 0) continue;
+    const std::string refusal = std::string(alone) + " stands alone; leave ";
+    for (const CLI::Option* other : app.get_options({})) {
+      if (other->count() > 0 && !other->check_name(alone)) return refusal + other->get_name() + " out";
+    }
+    if (const std::vector<CLI::App*> commands = app.get_subcommands(); !commands.empty()) return refusal + commands[0]->get_name() + " out";
+  }
+  return {};
+}
+
 }  // namespace
 
 bool read_options(int argc, char** argv, Options& options, int& exit_code) {
@@ -45,8 +60,8 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
   std::string config, check, device = "usb", control, field, record, relay_socket = "/run/isotouch/control";
   bool print = false, list = false;
   app.set_version_flag("--version", files::version_text("isotouchd"), "print version, commit, formats and compiler");
-  CLI::Option* own = app.add_option("--config", config, "file with the settings (TOML); see --print-config");
-  app.add_option("--check-config", check, "check this settings file and exit")->excludes(own);
+  app.add_option("--config", config, "file with the settings (TOML); see --print-config");
+  app.add_option("--check-config", check, "check this settings file and exit");
   app.add_flag("--print-config", print, "print every setting with its default and exit");
   app.add_flag("--list", list, "list the devices that are plugged in and exit");
   app.add_option("--device", device, "the device: usb, usb:SERIAL, sim:SOCKET (a simulated Falcon) or replay:FILE (a recording)")
@@ -77,6 +92,10 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
     return false;
   }
 
+  if (const Refusal refusal = refusal_of_company(app)) {
+    complain(refusal.sentence());
+    return exit_code = kWrongUsage, false;
+  }
   exit_code = 0;
   if (relay->parsed()) {
     if (const Refusal refusal = control::relay(relay_socket, STDIN_FILENO, STDOUT_FILENO)) exit_code = complain(refusal.sentence());

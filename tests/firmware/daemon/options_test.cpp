@@ -52,5 +52,24 @@ TEST(Options, ACountOfTicksIsTakenAsItIsWritten) {
   }
 }
 
+TEST(Options, WhatTakesThePlaceOfARunStandsAlone) {
+  const std::vector<std::vector<std::string>> modes = {{"--check-config", "missing"}, {"--print-config"}, {"--list"}};
+  std::vector<std::vector<std::string>> others = {{"--config", "a"}, {"--device", "usb"}, {"--control", "a"}, {"--field", "a"},
+                                                  {"--record", "a"}, {"--lockstep"},      {"--ticks", "3"},   {"relay"}};
+  others.insert(others.end(), modes.begin(), modes.end());
+  for (const std::vector<std::string>& mode : modes) {
+    for (const std::vector<std::string>& other : others) {
+      if (mode == other) continue;
+      std::vector<std::string> words = mode;
+      words.insert(words.end(), other.begin(), other.end());
+      const Parsed wrong = parse(words);
+      EXPECT_FALSE(wrong.runs) << mode[0] << other[0];
+      EXPECT_EQ(wrong.exit_code, 2) << mode[0] << other[0];
+      EXPECT_THAT(wrong.said, testing::AllOf(HasSubstr(mode[0]), HasSubstr(other[0]), HasSubstr("stands alone; leave ")));
+    }
+  }
+  EXPECT_EQ(parse({"--check-config", "missing"}).exit_code, 1) << "alone it is looked at";
+}
+
 }  // namespace
 }  // namespace isotouch::daemon
