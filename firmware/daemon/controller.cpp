@@ -143,7 +143,8 @@ Refusal Controller::begin_recording() {
   recorder_.emplace(recording::RecorderSettings{header_, settings_.state, ticks_in(settings_.before_fault_s), ticks_in(0.5)}, trace_,
                     settings_.control.empty() ? nullptr : &watched_, requests_, hash_of, std::bind_front(&Controller::say, this));
   intake_->tell_patches([this](std::uint64_t hash, std::span<const std::uint8_t> patch) { recorder_->tell_patch(hash, patch); });
-  return settings_.record.empty() ? Refusal() : recorder_->start(settings_.record);
+  if (settings_.record.empty()) return {};
+  return recorder_->start(options_.numbers_recordings ? recording::NumberedTraces(settings_.record).next() : settings_.record);
 }
 
 Refusal Controller::listen() {

@@ -121,7 +121,7 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
   }
   if (!control.empty()) options.settings.control = control;
   if (!field.empty()) options.settings.field = field;
-  if (!record.empty()) options.settings.record = record;
+  if (!record.empty()) options.settings.record = record, options.numbers_recordings = false;
   if (options.settings.control.empty() && options.settings.field.empty() && options.settings.record.empty()) {
     complain(
         "there is no field to feel (--field or [files] field), and no socket to get one by (--control or [files] control); "

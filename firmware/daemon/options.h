@@ -13,7 +13,8 @@ struct Options {
 
   settings::Settings settings;  ///< the file's, changed by what the command line says
   Device device = Device::kUsb;
-  std::string name;  ///< serial (may be empty), socket, or recording
+  std::string name;                ///< serial (may be empty), socket, or recording
+  bool numbers_recordings = true;  ///< the recording takes the next free number; not so if the command line names its file
   bool lockstep = false;
   std::uint64_t ticks = UINT64_MAX;
 };

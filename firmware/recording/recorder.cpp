@@ -1,12 +1,6 @@
 #include "firmware/recording/recorder.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <charconv>
-#include <filesystem>
-#include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace isotouch::recording {
@@ -42,7 +36,7 @@ void Recorder::keep_last_ticks() {
   TraceHeader header;
   const std::vector<LastTick> left = LastTicks::read(place, header);  // an orderly end leaves nothing
   if (!left.empty()) {
-    const std::string path = free_path("crash");
+    const std::string path = saved("crash").next();
     TickWriter writer;
     Refusal refusal = writer.begin(path, header);
     for (const LastTick& last : left) {
@@ -51,40 +45,13 @@ void Recorder::keep_last_ticks() {
     if (Refusal unfinished = writer.finish(left.back().field_hash)) refusal = std::move(unfinished);
     if (refusal) return tell_(refusal.sentence() + "; they stay in " + place + ", and this run keeps none: free space and start again");
     tell_(path + ": the last ticks of the run before");
-    forget_oldest("crash");
+    saved("crash").forget_oldest(settings_.most_kept);
   }
   if (const Refusal refusal = last_ticks_.begin(place, settings_.header, memory_.size())) tell_(refusal.sentence());
 }
 
-std::string Recorder::path_of(const char* kind, std::size_t number) const {
-  return settings_.state + "/" + kind + "-" + std::to_string(number) + ".trace";
-}
-
-/// The numbers of the traces of a kind, the oldest first.
-std::vector<std::size_t> Recorder::saved(const char* kind) const {
-  std::vector<std::size_t> numbers;
-  std::error_code ignored;
-  const std::string begin = std::string(kind) + "-";
-  for (std::filesystem::directory_iterator entry(settings_.state, ignored), end; entry != end; entry.increment(ignored)) {
-    const std::string name = entry->path().filename().string();
-    std::size_t number = 0;
-    if (!name.starts_with(begin)) continue;
-    const auto [rest, failed] = std::from_chars(name.data() + begin.size(), name.data() + name.size(), number);
-    if (failed == std::errc{} && std::string_view(rest) == ".trace") numbers.push_back(number);
-  }
-  std::sort(numbers.begin(), numbers.end());
-  return numbers;
-}
-
-std::string Recorder::free_path(const char* kind) const {
-  const std::vector<std::size_t> numbers = saved(kind);
-  return path_of(kind, numbers.empty() ? 1 : numbers.back() + 1);
-}
-
-void Recorder::forget_oldest(const char* kind) const {
-  const std::vector<std::size_t> numbers = saved(kind);
-  for (std::size_t i = 0; i + settings_.most_kept < numbers.size(); ++i) unlink(path_of(kind, numbers[i]).c_str());
-}
+/// What is saved of a kind.
+NumberedTraces Recorder::saved(const char* kind) const { return NumberedTraces(settings_.state + "/" + kind + ".trace"); }
 
 Refusal Recorder::start(const std::string& path) {
   const std::lock_guard guard(mutex_);
@@ -224,13 +191,13 @@ void Recorder::save() {
   std::size_t to = from + 1;
   while (to < remembered_ && same_field(to) && at(to).number == at(to - 1).number + 1) ++to;
   while (from > 0 && same_field(from - 1) && at(from - 1).number + 1 == at(from).number) --from;
-  const std::string path = free_path("fault");
+  const std::string path = saved("fault").next();
   TickWriter writer;
   Refusal refusal = writer.begin(path, settings_.header);
   for (std::size_t i = from; i < to && !refusal; ++i) refusal = writer.append(at(i));
   if (Refusal unfinished = writer.finish(faulted_hash_)) refusal = std::move(unfinished);
   tell_(refusal ? refusal.sentence() : path + ": the ticks around the fault");
-  if (!refusal) forget_oldest("fault");
+  if (!refusal) saved("fault").forget_oldest(settings_.most_kept);
 }
 
 }  // namespace isotouch::recording

@@ -21,6 +21,7 @@
 #include "firmware/loop/requests.h"
 #include "firmware/loop/tick_record.h"
 #include "firmware/recording/last_ticks.h"
+#include "firmware/recording/numbered_traces.h"
 #include "firmware/recording/patch_writer.h"
 #include "firmware/recording/tick_writer.h"
 #include "shared/files/refusal.h"
@@ -93,10 +94,7 @@ class Recorder {
   void end(const std::string& why, Outcome outcome = Outcome::kEndedEarly);
   void save();
   void keep_last_ticks();
-  std::string path_of(const char* kind, std::size_t number) const;
-  std::vector<std::size_t> saved(const char* kind) const;
-  std::string free_path(const char* kind) const;
-  void forget_oldest(const char* kind) const;
+  NumberedTraces saved(const char* kind) const;
 
   RecorderSettings settings_;
   loop::TraceRing& ring_;

@@ -179,7 +179,7 @@ constexpr Setting kTable[] = {
     {"lines", "core", &S::watchdog_core, {}, -1, 1023, {}, "processor core of the watchdog's thread; -1 = any", {}},
 
     {"files", "field", &S::field, {}, 0, 0, {}, "field to begin with; \"\" = none", {}},
-    {"files", "record", &S::record, {}, 0, 0, {}, "file for a recording from the first tick on; \"\" = none", {}},
+    {"files", "record", &S::record, {}, 0, 0, {}, "recordings from the first tick on, numbered: a-1.trace of \"a.trace\"; \"\" = none", {}},
     {"files", "control", &S::control, {}, 0, 0, {}, "path of the control socket; \"\" = none", {}},
     {"files", "state", &S::state, {}, 0, 0, {}, "folder for fields, calibrations and faults; \"\" = nothing is kept", {}},
     {"files", "before_fault_s", &S::before_fault_s, "s", 0.1, 60, {}, "seconds before a fault that are saved to the state folder", {}},

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "shared/files/trace_file.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch::recording {
@@ -300,11 +301,12 @@ TEST(Recorder, TheLastTicksOfAKilledRunAreSavedByTheNext) {
         settings, bench.ring, nullptr, bench.commands, [](std::uint32_t) { return 0; }, [&](const std::string& line) { said = line; });
   };
   std::filesystem::copy_file(aside, left);
-  std::filesystem::create_symlink("nowhere", bench.state + "/crash-1.trace.part");
-  start();
+  {
+    const FullDisk disk(200);
+    start();
+  }
   EXPECT_THAT(said, HasSubstr("they stay in " + left));
   EXPECT_EQ(bytes_of(left), bytes_of(aside)) << "what cannot be saved is not lost";
-  std::filesystem::remove(bench.state + "/crash-1.trace.part");
   start();
   ASSERT_EQ(saved(bench.state), std::vector<std::string>{"crash-1.trace"});
   const files::TraceFile trace = Bench::read(bench.state + "/crash-1.trace");
@@ -314,7 +316,7 @@ TEST(Recorder, TheLastTicksOfAKilledRunAreSavedByTheNext) {
 
 TEST(Recorder, OfManyRunsTheNewestFaultsAreKept) {
   Bench bench(true);
-  for (const char* name : {"fault-7.trace", "fault-9.trace", "fault-10.trace", "fault-x.trace", "fault-1.trace.part", "crash-1.trace"})
+  for (const char* name : {"fault-7.trace", "fault-9.trace", "fault-10.trace", "fault-x.trace", "fault-12.trace.part", "crash-1.trace"})
     std::ofstream(bench.state + "/" + name) << "of a run before";
   RecorderSettings settings{TraceHeader{}, bench.state, 50, 10, 2};
   settings.most_kept = 3;
@@ -323,7 +325,7 @@ TEST(Recorder, OfManyRunsTheNewestFaultsAreKept) {
       settings, bench.ring, nullptr, bench.commands, [](std::uint32_t) { return 0; }, [](const std::string&) {});
   bench.ticks(100, 3, SupervisorState::kActive);
   bench.ticks(100, 3, SupervisorState::kFault);
-  for (const char* kept : {"fault-9.trace", "fault-10.trace", "fault-11.trace", "fault-x.trace", "fault-1.trace.part", "crash-1.trace"})
+  for (const char* kept : {"fault-9.trace", "fault-10.trace", "fault-13.trace", "fault-x.trace", "fault-12.trace.part", "crash-1.trace"})
     EXPECT_TRUE(std::filesystem::exists(bench.state + "/" + kept)) << kept;
   EXPECT_FALSE(std::filesystem::exists(bench.state + "/fault-7.trace")) << "the oldest goes";
 }
