@@ -54,7 +54,6 @@ int run(const Options& options) {
       printer.say(controller.summary());
       return exit_code(controller);
     }
-    systemd.busy();
     printer.say("device: the controller starts again with the angles of the device that answers");
   }
 }

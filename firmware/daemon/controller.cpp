@@ -251,7 +251,10 @@ Controller::End Controller::supervise() {
     systemd_.alive(stats_.ticks.value());
     stay_awake();
     check_memory();
-    if (begins_again_ = may_begin_again(); begins_again_) return End::kBeginAgain;
+    if (begins_again_ = may_begin_again(); begins_again_) {
+      systemd_.busy();  // already for the end of this run: a slow disk may hold it up
+      return End::kBeginAgain;
+    }
     if (const int signal = sigtimedwait(&signals, nullptr, serves ? &pause : &soon); signal > 0) {
       ended_by_ = signal;
       say(ending_line(signal));
