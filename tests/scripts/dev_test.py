@@ -3,9 +3,13 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
 import shutil
+import signal
+import subprocess
 import unittest
+from pathlib import Path
 
 import fakes
 
@@ -36,6 +40,7 @@ class DevTest(fakes.Tree):
         for program in ("npm", "tsc", "mypy", "shellcheck", "git", "clang-format"):
             self.script(f"bin/{program}", "exit 0\n")
         self.script("bin/dpkg-query", "echo installed\n")
+        self.script("bin/sudo", 'exec "$@"\n')
         self.script("bin/cmake", 'case "$*" in *"${FAKE_CMAKE:-nothing}"*) exit 1 ;; esac\n')
 
     def take(self, name: str) -> None:
@@ -100,6 +105,58 @@ class DevTest(fakes.Tree):
         log = (self.root / "build/tidy.log").read_text()
         self.assertEqual((code, complaints), (0, ""), said + log)
         self.assertEqual([line.rsplit("/", 1)[1] for line in log.splitlines()], ["a.cpp", "b.cpp"])
+
+    def test_a_path_that_pkg_config_cannot_read_is_refused_before_anything_is_built(self) -> None:
+        self.script("bin/cmake", 'echo "$*" >>asked\n')
+        for program in ("apt-get", "apt-config"):
+            self.script(f"bin/{program}", "echo http://nowhere\n")
+        self.script("bin/mmdebstrap", "tar -c -T /dev/null\n")   # the libraries of the target
+        usual = self.root
+        for name, reads in (("plain", True), ("a b", False), ("a:b", False)):
+            self.root = usual / "checkouts" / name
+            self.take("dev")
+            for words in (("setup",), ("test",), ("test", "arm64"), ("hil", "2")):
+                _, _, complaints = self.call("dev", *words, PATH=f"{usual}/bin:{os.environ['PATH']}", CI="true")
+                said = f"dev: the build for arm64 works below no path with a space or a colon; move this checkout from '{self.root}'\n"
+                self.assertEqual(said in complaints, not reads, f"{name}: {words}: {complaints}")
+            self.assertEqual((self.root / "asked").exists(), reads, name)
+            self.call("dev", "build", PATH=f"{usual}/bin:{os.environ['PATH']}", CI="true")   # for this machine
+            self.assertTrue((self.root / "asked").exists(), name)
+        self.root = usual
+
+    def waits(self, lock: str, said: str, theirs: Path, *words: str) -> None:
+        """A word waits until whoever has the lock has ended, and leaves theirs alone until then."""
+        (self.root / lock).parent.mkdir(parents=True, exist_ok=True)
+        with (self.root / lock).open("w") as first:
+            fcntl.flock(first, fcntl.LOCK_EX)
+            with self.start("dev", *words, PATH=f"{self.root}/bin:{os.environ['PATH']}", CI="true") as second:
+                assert second.stderr
+                self.assertEqual(second.stderr.readline(), f"dev: {said}; waiting until it has ended\n")
+                with self.assertRaises(subprocess.TimeoutExpired):
+                    second.wait(timeout=1)
+                self.assertTrue(theirs.exists())
+                fcntl.flock(first, fcntl.LOCK_UN)
+                second.communicate(timeout=60)
+        self.assertEqual(second.returncode, 0)
+        self.assertFalse(theirs.exists())
+
+    def test_two_terminals_build_one_after_the_other(self) -> None:
+        theirs = self.root / "build/package/bookworm/theirs.deb"
+        theirs.parent.mkdir(parents=True)
+        theirs.touch()
+        for program in ("debian_source", "in_root"):
+            self.script(f"packaging/{program}", "exit 0\n")
+        self.waits("build/package/bookworm.lock", "another ./dev package is building in build/package/bookworm", theirs, "package", "bookworm")
+        self.script("bin/cmake", "rm -f theirs\n")
+        (self.root / "theirs").touch()
+        self.waits("build/release.lock", "another ./dev builds in build/release", self.root / "theirs", "build")
+
+    def test_what_a_build_leaves_running_keeps_nobody_waiting(self) -> None:
+        self.script("bin/cmake", 'sleep 30 >/dev/null 2>&1 & echo $! >>left\n')
+        self.assertEqual(self.dev("build"), (0, "", ""))
+        self.assertEqual(self.dev("build"), (0, "", ""))
+        for process in (self.root / "left").read_text().split():
+            os.kill(int(process), signal.SIGKILL)
 
     def test_clang_tidy_that_checks_nothing_fails(self) -> None:
         self.script("bin/run-clang-tidy", "exit 0\n")
