@@ -6,9 +6,11 @@
 #include <cstdio>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "firmware/settings/apply.h"
 #include "firmware/settings/table.h"
+#include "shared/files/nearest_name.h"
 #include "shared/tick_settings.h"
 
 namespace isotouch::settings {
@@ -48,13 +50,23 @@ std::string range(const Setting& setting) {
 /// The least that can be set is more than some fields and delays allow; 0 would be no stiffness at all, but "unset".
 Stiffness settable(Stiffness most) { return std::max(most, Stiffness::of(rows::kStiffness.low)); }
 
-/// The names of the settings that may change, for people.
-std::string all_names() {
-  std::string names;
+/// Why a name is none that may change, for people: it is another setting's, or misspelt.
+///
+/// name      without "feel."
+std::string refusal_of_name(std::string_view name) {
+  const std::string quoted = std::string("'").append(name).append("'");
+  std::vector<std::string> names;
+  std::string list;
   for (const Setting& setting : table()) {
-    if (setting.live != TickSetting::kNone) names.append(names.empty() ? "" : ", ").append(setting.name);
+    if (name == setting.name || name == std::string(setting.section).append(".").append(setting.name))
+      return quoted + " can only be set at the start; write it into the settings file and start the controller again";
+    if (setting.live == TickSetting::kNone) continue;
+    names.emplace_back(setting.name);
+    list.append(list.empty() ? "" : ", ").append(setting.name);
   }
-  return names;
+  const std::string meant = files::nearest_name(name, names);
+  return "there is no setting " + quoted + "; " +
+         (meant.empty() ? "while the controller runs it may be one of " + list : "did you mean '" + meant + "'?");
 }
 
 }  // namespace
@@ -69,9 +81,7 @@ Refusal LiveSettings::set(std::string_view name, std::string_view value, loop::R
   constexpr std::string_view kSection = "feel.";
   if (name.starts_with(kSection)) name.remove_prefix(kSection.size());
   const Setting* setting = find("feel", name);
-  if (setting == nullptr || setting->live == TickSetting::kNone) {
-    return std::string("'").append(name).append("' cannot be set while running; it may be one of ") + all_names();
-  }
+  if (setting == nullptr || setting->live == TickSetting::kNone) return refusal_of_name(name);
   const std::optional<double> wanted = number_in(value);
   if (!wanted || !(*wanted >= setting->low && *wanted <= setting->high)) {
     return std::string("feel.").append(name).append(" must be ") + range(*setting);

@@ -167,6 +167,26 @@ class Reader {
   Settings& settings_;
 };
 
+/// What stands behind the first `=` of a line, without comment; empty: nothing.
+std::string_view value_in(std::string_view line) {
+  const std::size_t equals = line.find('=');
+  if (equals == std::string_view::npos) return {};
+  line = line.substr(equals + 1);
+  line = line.substr(0, line.find('#'));
+  const std::size_t first = line.find_first_not_of(" \t"), last = line.find_last_not_of(" \t\r");
+  return first == std::string_view::npos ? std::string_view{} : line.substr(first, last - first + 1);
+}
+
+/// Most of what is not TOML is a text without quotes: of that the library knows only that it is no value.
+std::string explain(const toml::parse_error& error, std::string_view file) {
+  for (toml::source_index line = 1; line < error.source().begin.line; ++line) file.remove_prefix(file.find('\n') + 1);
+  const std::string_view value = value_in(file.substr(0, file.find('\n')));
+  const bool is_plain = !value.empty() && value.find_first_of("\"'[]{}") == std::string_view::npos;
+  if (is_plain && !toml::parse(std::string("value = ").append(value)))
+    return in_quotes(value) + " is no value; write a number, true or false, or a text in quotes";
+  return "this is not TOML: " + std::string(error.description());
+}
+
 }  // namespace
 
 Refusal parse_settings(std::string_view text, const std::string& name, Settings& settings) {
@@ -178,7 +198,7 @@ Refusal parse_settings(std::string_view text, const std::string& name, Settings&
   const toml::parse_result result = toml::parse(ascii.text, name);
   if (!result) {
     const toml::parse_error& error = result.error();
-    return name + ":" + std::to_string(error.source().begin.line) + ": this is not TOML: " + std::string(error.description());
+    return name + ":" + std::to_string(error.source().begin.line) + ": " + explain(error, ascii.text);
   }
   if (Refusal refusal = Reader(name, settings).read(result.table())) return refusal;
   if (const Refusal refusal = refusal_of_contradiction(settings)) return name + ": " + refusal.sentence();

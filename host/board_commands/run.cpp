@@ -5,6 +5,7 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,8 +14,11 @@
 #include "host/board_commands/commands.h"
 #include "host/board_commands/every_option.h"
 #include "host/board_commands/help_formatter.h"
+#include "host/board_commands/number_list.h"
 #include "host/error.h"
+#include "host/link/words.h"
 #include "packaging/manual/command_tree.h"
+#include "shared/files/nearest_name.h"
 #include "shared/files/standard_descriptors.h"
 #include "shared/files/version_text.h"
 #include "shared/printable.h"
@@ -56,7 +60,7 @@ const std::vector<Task>& tasks() {
   return all;
 }
 
-/// Also by its older name; nullptr where there is none.
+/// nullptr: there is none
 template <class App>
 App* find_command(App& app, const std::string& name) {
   for (auto* command : app.get_subcommands(nullptr)) {
@@ -101,16 +105,33 @@ std::string unknown_word(const CLI::App& app, int argc, char** argv) {
     } else {
       for (const CLI::App* known : command->get_subcommands(nullptr)) {
         names.push_back(known->get_name());
-        names.insert(names.end(), known->get_aliases().begin(), known->get_aliases().end());
       }
     }
     if (std::find(names.begin(), names.end(), word) != names.end()) {
       if (!word.starts_with("--")) command = find_command(*command, word), said.append(" ").append(command->get_name());
       continue;
     }
-    return no_such(word, nearest_name(word, names), app.get_name() + said);
+    return no_such(word, files::nearest_name(word, names), app.get_name() + said);
   }
   return {};
+}
+
+/// What the parser says in words of its own, for people; empty where its own are clear.
+std::string in_words(const CLI::App& app, const CLI::ParseError& error) {
+  const std::string said = error.what();
+  static const std::regex excluding("(\\S+) excludes (\\S+)"), named("--[a-z0-9-]+");
+  std::smatch found;
+  if (error.get_name() == "ExcludesError" && std::regex_match(said, found, excluding))
+    return "give " + found[1].str() + " or " + found[2].str() + ", not both";
+  if (error.get_name() != "ArgumentMismatch" && error.get_name() != "ConversionError") return {};
+  if (!std::regex_search(said, found, named)) return {};
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  const CLI::Option* option = command->get_option_no_throw(found.str());
+  const std::string names = option == nullptr ? "" : number_names(*option);
+  if (names.empty()) return {};
+  return found.str() + " takes " + std::to_string(1 + std::count(names.begin(), names.end(), ',')) + " numbers, " + names +
+         ", with commas or spaces between them";
 }
 
 /// Does what the command line asks.
@@ -132,6 +153,7 @@ int answer(const char* program, const char* about, void (*add)(CLI::App& app), i
     const std::string unknown = unknown_word(app, argc, argv);
     const ExitCode wrong = ends_bisection(argc, argv) ? kEndsBisection : kWrongUsage;
     if (!unknown.empty()) return complain(program, wrong, unknown);
+    if (const std::string clear = in_words(app, e); !clear.empty()) return complain(program, wrong, clear);
     return app.exit(e), wrong;
   } catch (const ComparisonFailed& e) {
     return complain(program, kComparisonFailed, e.what());
@@ -156,6 +178,7 @@ int answer(const char* program, const char* about, void (*add)(CLI::App& app), i
 
 int run(const char* program, const char* about, void (*add)(CLI::App& app), int argc, char** argv) {
   files::occupy_standard_descriptors();
+  link::tool_name() = program;
   const int code = answer(program, about, add, argc, argv);
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   if (code != kDone && code != kComparisonFailed && code != kEndedEarly) return code;  // it has been said already that there is no result

@@ -13,6 +13,12 @@
 
 namespace isotouch::link {
 
+/// The program that a person uses: `isotouch`, or on a board `isotouchctl`. Set once, before anything is said.
+inline std::string& tool_name() {
+  static std::string name = "isotouch";
+  return name;
+}
+
 /// What a controller measures, in the order of protocol::Measure: names, and what a unit is for people.
 struct MeasureName {
   const char* key;

@@ -1,5 +1,6 @@
 #include "firmware/settings/live.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -41,10 +42,15 @@ TEST(LiveSettings, WhatCannotBeIsRefusedInOneSentenceAndChangesNothing) {
   EXPECT_EQ(live.set("hand_damping", "-1", commands).sentence(), "feel.hand_damping must be a number from 0 to 0.1 N s/mm");
   for (const char* value : {"", "much", "0.5x", "nan", "inf", "0.5 0.6"})
     EXPECT_NE(live.set("friction", value, commands).sentence(), "") << value;
-  for (const char* name : {"", "tick_hz", "ramp_ms", "loop.tick_hz", "feel.", "frictio"}) {
-    EXPECT_EQ(live.set(name, "1", commands).sentence().find("cannot be set while running; it may be one of stiffness, damping") !=
-                  std::string::npos,
-              true)
+  for (const char* name : {"tick_hz", "ramp_ms", "loop.tick_hz"}) {
+    EXPECT_EQ(live.set(name, "1", commands).sentence(),
+              std::string("'") + name + "' can only be set at the start; write it into the settings file and start the controller again");
+  }
+  EXPECT_EQ(live.set("frictoin", "1", commands).sentence(), "there is no setting 'frictoin'; did you mean 'friction'?");
+  EXPECT_EQ(live.set("feel.frictio", "1", commands).sentence(), "there is no setting 'frictio'; did you mean 'friction'?");
+  for (const char* name : {"", "feel.", "colour"}) {
+    EXPECT_THAT(live.set(name, "1", commands).sentence(),
+                testing::HasSubstr("'; while the controller runs it may be one of stiffness, damping, "))
         << name;
   }
   EXPECT_EQ(live.set("stiffness", "2.5", commands).sentence(),

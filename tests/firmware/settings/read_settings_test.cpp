@@ -1,5 +1,6 @@
 #include "firmware/settings/read_settings.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -189,6 +190,19 @@ TEST(ReadSettings, WhatIsNotTomlIsRefusedWithItsLine) {
     EXPECT_NE(complaint.find(": this is not TOML: "), std::string::npos) << complaint;
     EXPECT_EQ(complaint.find('\n'), std::string::npos) << "one sentence";
   }
+}
+
+TEST(ReadSettings, ATextWithoutQuotesIsNamed) {
+  const auto said = [](const std::string& text) {
+    Settings settings;
+    return parse_settings(text, "a.toml", settings).sentence();
+  };
+  const std::string remedy = " is no value; write a number, true or false, or a text in quotes";
+  for (const std::string value : {"soft", "true1", "no", "0.8N/mm", "/dev/x", "inner", "1 2"}) {
+    for (const char* rest : {"", "  # a comment", "\r", "\ndamping = 0"})
+      EXPECT_EQ(said("[feel]\nstiffness = " + value + rest), "a.toml:2: '" + value + "'" + remedy) << value;
+  }
+  EXPECT_THAT(said("[feel]\nstiffness = 1\nstiffness = 1"), testing::StartsWith("a.toml:3: this is not TOML: "));
 }
 
 TEST(ReadSettings, ATableWhoseNameBeginsWithNoLetterIsRefusedAndEndsNothing) {

@@ -4,12 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
-#include "host/board_commands/choice.h"
 #include "host/commands/commands.h"
 #include "host/trace/trace_file.h"
+#include "shared/files/nearest_name.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch::commands {
@@ -36,12 +37,12 @@ Answer answer(std::vector<std::string> words) {
 
 TEST(NearestName, IsTheOneThatWasProbablyMeant) {
   const std::vector<std::string> names = {"build", "bench", "status", "trace"};
-  EXPECT_EQ(nearest_name("biuld", names), "build");
-  EXPECT_EQ(nearest_name("buil", names), "build");
-  EXPECT_EQ(nearest_name("statsu", names), "status");
-  EXPECT_EQ(nearest_name("tace", names), "trace");
-  EXPECT_EQ(nearest_name("calibrate", names), "");
-  EXPECT_EQ(nearest_name("xy", names), "");
+  EXPECT_EQ(files::nearest_name("biuld", names), "build");
+  EXPECT_EQ(files::nearest_name("buil", names), "build");
+  EXPECT_EQ(files::nearest_name("statsu", names), "status");
+  EXPECT_EQ(files::nearest_name("tace", names), "trace");
+  EXPECT_EQ(files::nearest_name("calibrate", names), "");
+  EXPECT_EQ(files::nearest_name("xy", names), "");
 }
 
 TEST(Run, AMistypedCommandOrOptionIsAnsweredWithTheOneThatWasMeant) {
@@ -52,6 +53,32 @@ TEST(Run, AMistypedCommandOrOptionIsAnsweredWithTheOneThatWasMeant) {
   EXPECT_EQ(answer({"build", "a.ply", "--stifness=3"}).code, 2);
   EXPECT_EQ(answer({"nonsense"}).err, "isotouch: there is no command 'nonsense'; isotouch --help lists them\n");
   EXPECT_EQ(answer({"nonsense"}).code, 2);
+}
+
+TEST(Run, SeveralNumbersAreTakenWithCommasOrSpaces) {
+  for (const char* words : {"--viewpoint 1,2,3 nosuch.ply", "--viewpoint 1 2 3 nosuch.ply", "--viewpoint -1,2,-3 nosuch.ply",
+                            "--method live --box 0,0,0,1,1,1 nosuch.ply", "--method live --box 0 0 0 1 1 1 nosuch.ply",
+                            "--intrinsics 500 500 320 240 nosuch.ply", "--intrinsics 500,500,320,240 nosuch.ply"}) {
+    std::vector<std::string> all = {"build", "-o", "a.itf"};
+    std::istringstream list(words);
+    for (std::string word; list >> word;) all.push_back(word);
+    EXPECT_EQ(answer(all).err, "isotouch: nosuch.ply: cannot be read: No such file or directory\n") << words;
+  }
+  EXPECT_EQ(answer({"build", "a.ply", "-o", "a.itf", "--viewpoint", "1,2"}).err,
+            "isotouch: --viewpoint takes 3 numbers, X,Y,Z, with commas or spaces between them\n");
+  EXPECT_EQ(answer({"build", "a.ply", "-o", "a.itf", "--viewpoint", "1", "2", "x"}).err,
+            "isotouch: --viewpoint takes 3 numbers, X,Y,Z, with commas or spaces between them\n");
+  const Answer box = answer({"build", "a.ply", "-o", "a.itf", "--box", "0,0,0"});
+  EXPECT_EQ(box.err, "isotouch: --box takes 6 numbers, X,Y,Z,X,Y,Z, with commas or spaces between them\n");
+  EXPECT_EQ(box.code, 2);
+  EXPECT_EQ(answer({"calibrate", "--to", "unix:/nosuch", "--at", "0,0"}).err,
+            "isotouch: --at takes 3 numbers, X,Y,Z, with commas or spaces between them\n");
+}
+
+TEST(Run, OptionsThatExcludeEachOtherAreNamed) {
+  const Answer both = answer({"build", "a.ply", "-o", "a.itf", "--voxel", "1mm", "--grid", "100"});
+  EXPECT_EQ(both.code, 2);
+  EXPECT_THAT(both.err, testing::AnyOf("isotouch: give --voxel or --grid, not both\n", "isotouch: give --grid or --voxel, not both\n"));
 }
 
 TEST(Run, AnEvaluationOfNothingIsNoSuccess) {
@@ -88,11 +115,12 @@ TEST(Run, CommandsStandByTaskAndAnswerToTheirOlderNames) {
   const std::string build = answer({"build", "--help"}).out;
   EXPECT_THAT(build, testing::HasSubstr("  --grid NUMBER             voxels along"));
   EXPECT_THAT(build, testing::HasSubstr("; 8 to 4000"));
+  EXPECT_THAT(build, testing::HasSubstr("  --normals NAME "));
+  EXPECT_THAT(build, testing::HasSubstr("  --viewpoint X,Y,Z "));
   EXPECT_THAT(build, testing::HasSubstr("of default live published"));
   EXPECT_THAT(build, testing::HasSubstr("(required)"));
-  for (const char* raw : {"ENUM", "FLOAT", "->", " in ["}) EXPECT_THAT(build, testing::Not(testing::HasSubstr(raw)));
+  for (const char* raw : {"ENUM", "BOOLEAN", "FLOAT", "->", " in ["}) EXPECT_THAT(build, testing::Not(testing::HasSubstr(raw)));
   EXPECT_THAT(help.out, testing::Not(testing::HasSubstr("Subcommands:"))) << "a command without a task";
-  for (const char* old : {"mine", "zero", "wire"}) EXPECT_EQ(answer({"trace", old, "--help"}).code, 0) << old;
 }
 
 TEST(Run, TheVersionNamesCommitFormatsAndCompiler) {
