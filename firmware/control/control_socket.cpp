@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "shared/files/missing_folder.h"
+
 namespace isotouch::control {
 
 namespace {
@@ -45,6 +47,7 @@ Refusal ControlSocket::open(const std::string& path, mode_t mode, std::optional<
   close();
   sockaddr_un address{};
   if (!make_address(path, address)) return path + ": is no path for a socket (1 to 107 characters); choose a shorter one";
+  if (Refusal missing = files::refusal_of_missing_folder(path)) return missing;
   struct stat about {};
   if (::lstat(path.c_str(), &about) == 0) {
     if (!S_ISSOCK(about.st_mode)) return path + ": is a file already, and no socket; choose another path or remove it";

@@ -11,6 +11,8 @@
 #include <system_error>
 #include <utility>
 
+#include "shared/files/missing_folder.h"
+
 namespace isotouch::falcon_sim {
 
 namespace {
@@ -55,6 +57,7 @@ Listener::Listener(std::filesystem::path path, int type)
   const std::string name = path_.string();
   const sockaddr_un address = address_of(name);
   if (!socket_) refuse(name, "no socket could be made");
+  if (const Refusal missing = files::refusal_of_missing_folder(path_)) throw std::runtime_error(missing.sentence());
   std::error_code ignored;
   const auto kind = std::filesystem::symlink_status(path_, ignored).type();
   if (kind == std::filesystem::file_type::socket) {

@@ -7,6 +7,7 @@
 
 #include "host/error.h"
 #include "host/files/whole_file.h"
+#include "shared/files/missing_folder.h"
 
 namespace isotouch::commands {
 
@@ -30,10 +31,8 @@ const Form* usual(const Forms& forms) {
 
 /// So that hours of streaming or measuring do not end in a file that nobody can write.
 void require_parent(const std::filesystem::path& file) {
-  const std::filesystem::path folder = file.parent_path();
+  if (const Refusal missing = files::refusal_of_missing_folder(file)) throw InputError(missing.sentence());
   std::error_code failed;
-  if (!folder.empty() && !std::filesystem::is_directory(folder, failed))
-    throw InputError(file.string() + ": there is no folder " + folder.string() + "; make it, or name another one");
   if (std::filesystem::is_directory(file, failed)) throw InputError(file.string() + ": cannot be written: it is a folder, name a file");
 }
 

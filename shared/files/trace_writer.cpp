@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "shared/bytes.h"
+#include "shared/files/missing_folder.h"
 #include "shared/files/sync_folder.h"
 
 namespace isotouch::files {
@@ -36,6 +37,7 @@ Refusal TraceWriter::begin(const std::string& path, const TraceHeader& header, L
   if (place.descriptor >= 0 ||
       (::stat(path_.c_str(), &there) == 0 && !S_ISREG(there.st_mode)))  // a device would be replaced, if the user may do so
     return path_ + ": is a folder, a device or a pipe; name a file for the trace";
+  if (Refusal missing = refusal_of_missing_folder(place.path)) return missing;
   target_ = place.path;
   OpenPart part = open_part(this->part(), leftover);
   if (part.refusal) return path_ + ": the trace cannot be written: " + part.refusal.sentence();

@@ -58,6 +58,10 @@ std::string opened(const std::string& path) { return ControlSocket().open(path, 
   ::_exit(0);
 }
 
+TEST(ControlSocket, AMissingFolderIsNamed) {
+  EXPECT_EQ(opened("/nosuch/s"), "/nosuch/s: there is no folder /nosuch; make it, or name another one");
+}
+
 TEST(ControlSocket, ASocketThatNobodyListensAtIsReplaced) {
   const ScratchFolder folder;
   const std::string path = (folder.path() / "door").string();

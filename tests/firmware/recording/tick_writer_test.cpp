@@ -71,7 +71,7 @@ TEST(TickWriter, ARecordingWithoutTicksLeavesNoFile) {
 TEST(TickWriter, AFolderThatIsNotThereIsToldInOneSentence) {
   TickWriter writer;
   EXPECT_EQ(writer.begin("/nowhere/a.trace", header()).sentence(),
-            "/nowhere/a.trace: the trace cannot be written: No such file or directory");
+            "/nowhere/a.trace: there is no folder /nowhere; make it, or name another one");
   EXPECT_FALSE(writer.is_open());
   EXPECT_EQ(writer.append(tick(1)).sentence(), "");
 }

@@ -1,5 +1,6 @@
 #include "hil/falcon_sim/listener.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -20,6 +21,11 @@ TEST(Listener, LetsInWhoComesAndTakesItsFileAway) {
     EXPECT_TRUE(listener.accept());
   }
   EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(Listener, AMissingFolderIsNamed) {
+  EXPECT_THAT([] { Listener("/nosuch/s", SOCK_SEQPACKET); },
+              testing::ThrowsMessage<std::runtime_error>("/nosuch/s: there is no folder /nosuch; make it, or name another one"));
 }
 
 TEST(Listener, ReplacesOnlyASocketThatNobodyListensAt) {
