@@ -20,8 +20,8 @@ inline constexpr std::uint16_t kServiceFaults = kFaultEmergency | kFaultEnable |
 
 inline constexpr std::array<FaultName, 11> kFaultNames = {{
     {kFaultStopped, "stopped",
-     "a stop was requested, or the controller began anew after a crash, a stop or a fault, or with changed angles, as it printed; check "
-     "the grip"},
+     "a stop was requested, or the controller began anew after a crash, a stop or a fault, or with changed angles; its own output says "
+     "which (journalctl -u isotouchd); check the grip"},
     {kFaultSilent, "silent", "the device did not answer in time; check its cable and power supply"},
     {kFaultPenetration, "penetration", "the hand was too deep in the object; let go, and move out of it"},
     {kFaultEncoders, "encoders", "the encoders jumped while there was force; unplug the device, so that it is homed again"},

@@ -40,7 +40,7 @@ std::string device_line(const falcon::PortReport& report) {
 }
 
 std::string supervisor_line(const files::Condition& condition, protocol::OtherAngles others) {
-  return "state: " + files::state_text(condition, others);
+  return "state: " + files::state_text(condition, others, "isotouchctl");  // which is installed beside it
 }
 
 std::string settings_line(std::uint64_t checksum) {
@@ -61,9 +61,9 @@ std::string memory_line(loop::Damage damage) {
   switch (damage) {
     case loop::Damage::kNone: return {};
     case loop::Damage::kState:
-      return "what the tick remembers was damaged in memory; it began anew; somebody with the role service may run 'isotouch resume'";
+      return "what the tick remembers was damaged in memory; it began anew; somebody with the role service may run 'isotouchctl resume'";
     case loop::Damage::kField:
-      return "the field in memory was damaged; send the field again, then somebody with the role service may run 'isotouch resume'";
+      return "the field in memory was damaged; send the field again, then somebody with the role service may run 'isotouchctl resume'";
     case loop::Damage::kPrepared: break;
   }
   return "the model of the device in memory was damaged; restart the controller";

@@ -46,7 +46,7 @@ RunMark::RunMark(Folder& folder)
 Refusal RunMark::begin() {
   const bool written = crashed_ || write(kRunning);  // the mark that is there holds faults
   if (recalibrated_)
-    return "the angles of the device's arms were changed; home it, check its position with 'isotouch watch'; no force until 'resume'";
+    return "the angles of the device's arms were changed; home it, check its position with 'isotouchctl watch'; no force until 'resume'";
   if (crashed_) return "the previous run crashed, was killed, lost power or ended before a person had resumed; no force until 'resume'";
   if (!written)
     return "the state folder cannot be written, so the next start could not know whether this run crashed; check its permissions and free "

@@ -44,7 +44,7 @@ void stop(const std::string& to) {
   if (const protocol::DeviceReport device = controller.device(); device.waits != 0) {
     std::printf("stopped; the state is %s\n", link::sentence(status, device).c_str());
   } else {
-    std::printf("stopped: no force until a button of the grip is pressed or 'isotouch resume --to %s'\n", to.c_str());
+    std::printf("stopped: no force until a button of the grip is pressed or '%s resume --to %s'\n", link::tool_name().c_str(), to.c_str());
   }
 }
 
@@ -62,7 +62,7 @@ void resume(const std::string& to) {
 
 void add_stop(CLI::App& app) {
   auto to = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("stop", "Switch the force off from the next tick on, until 'isotouch resume'");
+  CLI::App* command = app.add_subcommand("stop", "Switch the force off from the next tick on, until " + link::tool_name() + " resume");
   add_address(*command, *to);
   command->callback([to] { stop(*to); });
 }

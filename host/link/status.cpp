@@ -21,7 +21,7 @@ ControllerStatus whole_status(Controller& controller) {
 
 std::string sentence(const protocol::StatusReport& status, const protocol::DeviceReport& device) {
   return files::state_text({status.state, status.faults, status.status, status.generation != 0},
-                           static_cast<protocol::OtherAngles>(device.waits));
+                           static_cast<protocol::OtherAngles>(device.waits), tool_name());
 }
 
 std::string angles_from(const protocol::DeviceReport& device) {

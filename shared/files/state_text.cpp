@@ -80,7 +80,10 @@ std::string_view angles_text(protocol::OtherAngles others) {
 
 const char* state_name(std::uint16_t state) { return state < kStates.size() ? kStates[state].name : "unknown"; }
 
-std::string state_text(const Condition& condition, protocol::OtherAngles others) {
+namespace {
+
+/// For people who have `isotouch`.
+std::string text_of(const Condition& condition, protocol::OtherAngles others) {
   std::string text = state_name(condition.state);
   const auto state = static_cast<SupervisorState>(condition.state);
   if (others != protocol::OtherAngles::kNone) {  // neither a button nor a resume is heard now
@@ -98,6 +101,16 @@ std::string state_text(const Condition& condition, protocol::OtherAngles others)
     case SupervisorState::kFault: return text.append(fault_causes(condition.faults)).append(way_out(condition.faults));
     default: return text;
   }
+}
+
+}  // namespace
+
+std::string state_text(const Condition& condition, protocol::OtherAngles others, std::string_view tool) {
+  constexpr std::string_view kCalled = "'isotouch ";
+  std::string text = text_of(condition, others);
+  for (std::size_t at = text.find(kCalled); at != std::string::npos; at = text.find(kCalled, at + tool.size()))
+    text.replace(at + 1, kCalled.size() - 2, tool);
+  return text;
 }
 
 }  // namespace isotouch::files

@@ -32,6 +32,8 @@ const char* state_name(std::uint16_t state);
 /// Begins with that word.
 ///
 /// others    beside it. Unless there are none the device is not heard: its silence is no cause, and nothing resumes it
-std::string state_text(const Condition& condition, protocol::OtherAngles others = protocol::OtherAngles::kNone);
+/// tool      the program that the next step is done with
+std::string state_text(const Condition& condition, protocol::OtherAngles others = protocol::OtherAngles::kNone,
+                       std::string_view tool = "isotouch");
 
 }  // namespace isotouch::files

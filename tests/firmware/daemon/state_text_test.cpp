@@ -5,6 +5,7 @@
 
 #include <set>
 #include <string>
+#include <utility>
 
 #include "shared/fault_names.h"
 
@@ -30,13 +31,23 @@ TEST(StateText, EveryStateHasASentenceThatBeginsWithItsName) {
 TEST(StateText, AFaultIsExplainedWithTheNextStep) {
   EXPECT_EQ(text(SupervisorState::kFault, kFaultSilent | kFaultStopped),
             "fault: no force, because a stop was requested, or the controller began anew after a crash, a stop or a fault, or with changed "
-            "angles, as it printed; "
-            "check the grip; the device did not answer in time; check its cable and power supply; then press a button of the grip, or run "
+            "angles; its own output says which (journalctl -u isotouchd); check the grip; the device did not answer in time; check its "
+            "cable and power supply; then press a button of the grip, or run "
             "'isotouch resume'");
   EXPECT_THAT(text(SupervisorState::kFault, kFaultGuard), HasSubstr("let somebody with the role service run 'isotouch resume'"));
   std::set<std::string> sentences;
   for (const FaultName& fault : kFaultNames) sentences.insert(text(SupervisorState::kFault, fault.fault));
   EXPECT_EQ(sentences.size(), kFaultNames.size());
+}
+
+TEST(StateText, TheNextStepIsDoneWithTheProgramThatIsThere) {
+  for (const auto& [state, command] :
+       {std::pair{SupervisorState::kFault, "resume"}, {SupervisorState::kIdle, "upload"}, {SupervisorState::kHold, "latency"}}) {
+    const Condition condition{static_cast<std::uint16_t>(state), 0, 0, false};
+    EXPECT_THAT(state_text(condition), HasSubstr(std::string("'isotouch ") + command + "'"));
+    EXPECT_THAT(state_text(condition, protocol::OtherAngles::kNone, "isotouchctl"),
+                HasSubstr(std::string("'isotouchctl ") + command + "'"));
+  }
 }
 
 TEST(StateText, WhileOtherAnglesWaitNothingIsAdvisedThatIsRefused) {

@@ -13,9 +13,9 @@ namespace {
 
 TEST(StatusLines, AStateIsToldInItsSentence) {
   const files::Condition condition{static_cast<std::uint16_t>(SupervisorState::kFault), kFaultStopped, 0, true};
-  EXPECT_EQ(supervisor_line(condition), "state: " + files::state_text(condition));
+  EXPECT_EQ(supervisor_line(condition), "state: " + files::state_text(condition, protocol::OtherAngles::kNone, "isotouchctl"));
   const auto others = protocol::OtherAngles::kKept;
-  EXPECT_EQ(supervisor_line(condition, others), "state: " + files::state_text(condition, others));
+  EXPECT_EQ(supervisor_line(condition, others), "state: " + files::state_text(condition, others, "isotouchctl"));
 }
 
 TEST(StatusLines, TheSettingsAreToldByTheirChecksum) { EXPECT_EQ(settings_line(0x1234), "settings: checksum 0000000000001234"); }
