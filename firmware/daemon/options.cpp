@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ namespace isotouch::daemon {
 namespace {
 
 constexpr int kRefused = 1, kWrongUsage = 2;
+constexpr std::uint64_t kMaxTicks = 1'000'000'000'000;
 
 int complain(const std::string& sentence) {
   std::fprintf(stderr, "isotouchd: %s\n", sentence.c_str());
@@ -71,9 +73,9 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
   app.add_option("--record", record, "record to this file from the first tick on");
   app.add_flag("--lockstep", options.lockstep,
                "start one tick for every packet and use no clock, so that a run depends only on the device's answers");
+  const auto refusal_of_ticks = [](const std::string& text) { return files::refusal_of_other_number(text, 0, kMaxTicks); };
   app.add_option("--ticks", options.ticks, "end after this many ticks")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000'000}))
-      ->transform(CLI::Validator(files::refusal_of_other_number, ""));  // before the other check, like all that transform
+      ->transform(CLI::Validator(refusal_of_ticks, "0 to " + std::to_string(kMaxTicks)));
   CLI::App* relay = app.add_subcommand("relay", "copy standard input and output to and from the control socket of a running controller");
   relay->add_option("socket", relay_socket, "its path")->capture_default_str();
   app.footer(

@@ -16,6 +16,7 @@
 #include "hil/falcon_sim/usbip_frontend.h"
 #include "hil/falcon_sim/usbredir_frontend.h"
 #include "host/board_commands/number_in.h"
+#include "host/board_commands/number_list.h"
 #include "packaging/manual/command_tree.h"
 
 namespace {
@@ -69,8 +70,9 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--geometry", o.geometry, "which of the published geometries")
       ->check(CLI::IsMember({"libnifalcon", "martin-hillier"}))
       ->capture_default_str();
-  app.add_option("--angle-at-zero", o.angles, "angles of the arms at count 0, degrees: top, right, left; by default the published ones")
-      ->expected(3)
+  isotouch::commands::take_numbers(
+      app.add_option("--angle-at-zero", o.angles, "angles of the arms at count 0, degrees; by default the published ones"),
+      "TOP,RIGHT,LEFT")
       ->check(isotouch::commands::number_in(0.0, 80.0));
   app.add_option("--mass", o.device.mechanism.mass_kg, "moving mass at the grip, kg")
       ->check(isotouch::commands::number_in(0.01, 10.0))

@@ -1,6 +1,5 @@
 #include "host/board_commands/help_formatter.h"
 
-#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -19,11 +18,8 @@ Wanted wanted_by(const CLI::Option& option) {
   const std::string told = option.get_type_name();
   const std::size_t colon = told.find(':');
   Wanted wanted{told.substr(0, colon), colon == std::string::npos ? "" : told.substr(colon + 1)};
-  std::smatch bounds;
-  static const std::regex range(R"(\w+ in \[(\S+) - (\S+)\])");
-  if (std::regex_search(wanted.values, bounds, range)) wanted.values = bounds[1].str() + " to " + bounds[2].str();
   if (wanted.type == "FLOAT" || wanted.type == "INT" || wanted.type == "UINT") wanted.type = "NUMBER";
-  if (wanted.type == "ENUM") wanted.type = "NAME";
+  if (wanted.type == "ENUM" || wanted.type == "BOOLEAN") wanted.type = "NAME";
   return wanted;
 }
 

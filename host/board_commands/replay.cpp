@@ -11,10 +11,11 @@
 #include "host/board_commands/choice.h"
 #include "host/board_commands/commands.h"
 #include "host/board_commands/output.h"
-#include "host/board_commands/print_field.h"
+#include "host/board_commands/print_key.h"
 #include "host/board_commands/quantiles_json.h"
 #include "host/error.h"
 #include "host/field_file/open_field.h"
+#include "host/link/words.h"
 #include "host/to_double.h"
 #include "host/trace/hash_text.h"
 #include "host/trace/recorded_patches.h"
@@ -129,7 +130,7 @@ void warn(const ReplayOptions& options, const FieldView& field, const trace::Tra
   loop.period_ns = run.header().period_ns;
   const CertificateCheck check = check_certificate(field, loop, stiffest(run, field));
   if (check.accepted) return;
-  std::fprintf(stderr, "isotouch: %s: %s", options.field.string().c_str(), describe(check.error));
+  std::fprintf(stderr, "%s: %s: %s", link::tool_name().c_str(), options.field.string().c_str(), describe(check.error));
   if (check.error == Error::kTooStiff) {
     std::fprintf(stderr, "; with this trace's period up to %.3g N/mm is safe on the device that `info` assumes",
                  to_double(check.stiffness));
@@ -197,7 +198,7 @@ void run(const ReplayOptions& options) {
   const Replayed done = replayed(options, field.view, trace);
   const trace::ReplayReport& report = done.report;
   if (!options.key.empty()) {
-    print_field(to_json(options, done), options.key);
+    print_key(to_json(options, done), options.key);
   } else if (options.json) {
     std::printf("%s\n", to_json(options, done).dump(2).c_str());
   } else {
@@ -239,7 +240,7 @@ void add_replay(CLI::App& app, const MakeGodObject& god_object) {
   command->add_flag("--check", options->check, "compare with the recorded outputs to the bit; exit code 3 when they differ");
   add_output(*command, "-o,--out", options->out, {&forms::kTrace}, "write the trace with this run's outputs");
   command->add_flag("--json", options->json, "print one JSON object");
-  command->add_option("--field", options->key, "print only the value with this key of the JSON object, such as hash");
+  command->add_option("--key", options->key, "print only the value with this key of the JSON object, such as hash");
   command->callback([options] {
     require_apart(options->out, options->json || !options->key.empty());
     run(*options);

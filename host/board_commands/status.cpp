@@ -6,7 +6,7 @@
 
 #include "host/board_commands/commands.h"
 #include "host/board_commands/controller_options.h"
-#include "host/board_commands/print_field.h"
+#include "host/board_commands/print_key.h"
 #include "host/link/controller.h"
 #include "host/link/status.h"
 #include "host/trace/hash_text.h"
@@ -18,7 +18,7 @@ namespace {
 
 struct StatusOptions {
   std::string to;
-  std::string field;  ///< only this value of the JSON object
+  std::string key;  ///< only this value of the JSON object
   bool json = false;
 };
 
@@ -53,7 +53,7 @@ void print_text(const link::ControllerStatus& seen) {
 void run(const StatusOptions& options) {
   link::Controller controller(options.to);
   const link::ControllerStatus seen = link::whole_status(controller);
-  if (!options.field.empty()) return print_field(link::to_json(seen), options.field);
+  if (!options.key.empty()) return print_key(link::to_json(seen), options.key);
   if (!options.json) return print_text(seen);
   std::printf("%s\n", link::to_json(seen).dump(2).c_str());
 }
@@ -65,7 +65,7 @@ void add_status(CLI::App& app) {
   CLI::App* command = app.add_subcommand("status", "Print the state of a running controller, its faults, field and times");
   add_address(*command, options->to);
   command->add_flag("--json", options->json, "print one JSON object");
-  command->add_option("--field", options->field, "print only the value with this key of the JSON object, such as tick_us.p999");
+  command->add_option("--key", options->key, "print only the value with this key of the JSON object, such as tick_us.p999");
   command->callback([options] { run(*options); });
 }
 

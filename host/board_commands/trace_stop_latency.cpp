@@ -1,4 +1,5 @@
 #include "host/board_commands/trace_stop_latency.h"
+#include "host/board_commands/number_in.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -76,9 +77,8 @@ void add_stop_latency(CLI::App& trace) {
   CLI::App* command = trace.add_subcommand(
       "stop-latency",
       "Count the ticks from each input that forbids forces to motor commands of zero; exit code 3 when one took longer than allowed");
-  command->alias("zero");
   command->add_option("TRACE", options->trace, "a controller's recording (.trace)")->required();
-  command->add_option("--most", options->most, "ticks allowed")->check(CLI::Range(0U, 1'000'000U))->capture_default_str();
+  command->add_option("--most", options->most, "ticks allowed")->check(whole_number_in(0, 1'000'000))->capture_default_str();
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });
 }

@@ -1,4 +1,4 @@
-/// isotouch trace zero: how soon forces ended in a recording.
+/// isotouch trace stop-latency: how soon forces ended in a recording.
 #pragma once
 
 #include <CLI/CLI.hpp>

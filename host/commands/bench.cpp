@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "host/board_commands/number_in.h"
 #include "host/cloud/random.h"
 #include "host/commands/commands.h"
 #include "host/commands/field_bench.h"
@@ -288,7 +289,7 @@ void add_bench(CLI::App& app) {
       tick->add_flag("--cold", options->cold, "with cold caches: 64 MiB, or more than the last cache holds, are written before each tick")
           ->excludes(fields);
   tick->add_option("--ticks", options->ticks, "cold ticks on each of two grids; a tick takes 10 ms, or 60 ms where the last cache is large")
-      ->check(CLI::Range(20, 100'000))
+      ->check(whole_number_in(20, 100'000))
       ->capture_default_str()
       ->needs(cold);
   tick->add_flag("--json", options->json, "print one JSON object");

@@ -40,7 +40,7 @@ void print_text(const BuildReport& report, const FieldView& view, const std::fil
   std::fprintf(to, "seconds       %.3f:", report.seconds);
   for (const auto& [stage, seconds] : report.stages) std::fprintf(to, " %s %.3f", stage.c_str(), seconds);
   std::fprintf(to, "\nfield          %s, hash %s\n", out.string().c_str(), trace::hash_text(view.hash()).c_str());
-  std::fprintf(to, "bytes         %zu in memory, %zu packed in the file and for upload, for %ju of a dense grid of floats\n",
+  std::fprintf(to, "bytes         %zu in memory, %zu packed in the file and for upload; a dense grid of 32-bit floats would take %ju\n",
                view.image.size(), report.packed_bytes, std::uintmax_t{encoding::dense_float_bytes(view)});
 }
 
@@ -81,13 +81,13 @@ void add_build(CLI::App& app) {
               "'spline'")
           ->transform(one_of(interpolations));
   command->add_option("--grid-name", options->grid_name, "which grid of an OpenVDB file to read; by default its first level set");
-  CLI::Option* voxel = command->add_option("--voxel", options->voxel_mm, "edge of a voxel, such as 0.34mm");
+  CLI::Option* voxel = command->add_option("--voxel", options->voxel_mm, "edge of a voxel, such as 0.5mm");
   voxel->transform(quantity(kLength, 1.0 / 64, 16));
   CLI::Option* grid = command->add_option(
       "--grid", options->grid,
       "voxels along the longest side of the input's bounding box; by default up to 372 for a mesh, 186 to 372 for points, by how "
       "close together they are, or a level set's own voxels");
-  grid->check(CLI::Range(8, 4000))->excludes(voxel);
+  grid->check(whole_number_in(8, 4000))->excludes(voxel);
   CLI::Option* band =
       command->add_option("--band", options->band, "half width of the band around the surface that is stored, in voxels; by default 3");
   band->check(number_in(1.0, 7.99));
@@ -103,21 +103,20 @@ void add_build(CLI::App& app) {
       ->excludes(fit);
   command
       ->add_option("--threads", options->threads, "number of threads; by default one for each processor. The result does not depend on it")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number_in(1, 1024));
   const std::map<std::string, bool> normals = {{"file", false}, {"estimate", true}};
   command
       ->add_option("--normals", options->estimate_normals,
                    "'file' takes the normals of the points, 'estimate' finds them from the points; by default they are estimated where the "
                    "file has none")
       ->transform(one_of(normals));
-  add_viewpoint(
-      *command, options->sensor,
-      "the sensor's place X Y Z in the file's coordinates: every normal is turned towards it. By default what the file itself says, "
-      "where normals are missing");
+  add_viewpoint(*command, options->sensor,
+                "the sensor's place in the file's coordinates: every normal is turned towards it. By default what the file itself says, "
+                "where normals are missing");
   auto camera = std::make_shared<CameraOptions>();
   camera->add_to(*command);
   add_box(*command, options->box,
-          "with --method live: the part of space that the field covers, two corners X,Y,Z,X,Y,Z in the file's coordinates; points outside "
+          "with --method live: the part of space that the field covers, two corners in the file's coordinates; points outside "
           "are left out");
   command->add_flag("--accept-implausible", options->accept_implausible,
                     "write the field although it was judged to be probably wrong; a mesh and a level set are not judged");

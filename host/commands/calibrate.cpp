@@ -122,9 +122,11 @@ void add_calibrate(CLI::App& app) {
   add_address(*command, options->to);
   command
       ->add_option("--at", options->at,
-                   "a known place, x y z in mm: x right, y up, z towards the person, from the middle of the motor axes; may be given "
-                   "several times. Default: 0 0 125")
-      ->type_name("X Y Z")
+                   "a known place in mm: x right, y up, z towards the person, from the middle of the motor axes; may be given "
+                   "several times. Default: 0,0,125")
+      ->type_name("X,Y,Z")
+      ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(number_in(-300.0, 300.0));
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/board_commands/number_in.h"
+#include "host/board_commands/number_list.h"
 #include "host/cloud/computable.h"
 #include "host/cloud/depth_image.h"
 #include "host/cloud/source_file.h"
@@ -21,9 +22,8 @@ struct CameraOptions {
   double units_per_metre = 1000;
 
   void add_to(CLI::App& command) {
-    CLI::Option* given =
-        command.add_option("--intrinsics", intrinsics, "the depth camera's focal lengths and principal point FX,FY,CX,CY, pixels");
-    given->delimiter(',')->expected(4);
+    CLI::Option* given = command.add_option("--intrinsics", intrinsics, "the depth camera's focal lengths and principal point, pixels");
+    take_numbers(given, "FX,FY,CX,CY");
     command.add_option("--depth-scale", units_per_metre, "what one metre is in the depth image; TUM's data has 5000")
         ->needs(given)
         ->check(number_in(1e-6, 1e9))
@@ -38,7 +38,7 @@ struct CameraOptions {
   }
 };
 
-/// --viewpoint X Y Z, or --no-viewpoint
+/// --viewpoint X,Y,Z, or --no-viewpoint
 ///
 /// sensor    stays alive as long as the command
 inline void add_viewpoint(CLI::App& command, cloud::SensorOptions& sensor, const std::string& about) {
@@ -50,7 +50,7 @@ inline void add_viewpoint(CLI::App& command, cloud::SensorOptions& sensor, const
         sensor.viewpoint = at;
       },
       about);
-  place->expected(3);
+  take_numbers(place, "X,Y,Z");
   command.add_flag("--no-viewpoint", sensor.ignores_viewpoint, "ignore what a file itself says of the sensor's place")->excludes(place);
 }
 

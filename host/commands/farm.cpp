@@ -208,10 +208,11 @@ void add_run(CLI::App& farm) {
   CLI::App* command = add_command(farm, "run", "Ask for the answers that are not there yet", options);
   options->farm.add_to(*command);
   command->add_option("--shard", options->share.shard, "only this share of the tasks, counted from 0")->capture_default_str();
-  command->add_option("--of", options->share.shards, "number of shares")->check(CLI::Range(1U, 1000000000U))->capture_default_str();
+  command->add_option("--of", options->share.shards, "number of shares")->check(whole_number_in(1, 1000000000))->capture_default_str();
   add_timeout(*command, options->share.patience);
   options->share.jobs = std::max(1U, std::thread::hardware_concurrency());
-  command->add_option("--jobs", options->share.jobs, "programs at once; by default one for each processor")->check(CLI::Range(1U, 4096U));
+  command->add_option("--jobs", options->share.jobs, "programs at once; by default one for each processor")
+      ->check(whole_number_in(1, 4096));
 }
 
 void add_merge(CLI::App& farm) {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "host/board_commands/print_field.h"
+#include "host/board_commands/print_key.h"
 #include "host/commands/commands.h"
 #include "host/commands/progress_bar.h"
 #include "host/encoding/certificate.h"
@@ -98,7 +98,7 @@ nlohmann::ordered_json field_json(const DescribedField& field, bool with_surface
                                               {"thinnest_wall_voxel", promise.thinnest_wall_voxel},
                                               {"stiffness_n_per_mm", promise.stiffness_n_per_mm},
                                               {"period_ns", promise.period_ns},
-                                              {"damping_ns_per_mm", promise.damping_ns_per_mm},
+                                              {"damping_n_s_mm", promise.damping_n_s_mm},
                                               {"delay_ticks", promise.delay_ticks}};
   nlohmann::ordered_json json = {{"bytes", field.image_bytes},
                                  {"voxel_mm", to_double(view.edge)},
@@ -126,8 +126,8 @@ void print_text(const DescribedField& field) {
       origin + to_double(view.edge) * (Eigen::Vector3d(view.size[0], view.size[1], view.size[2]) - Eigen::Vector3d::Ones());
   const auto& [scale, offset] = info.placement;
   std::printf("version      %s\n", version(view).c_str());
-  std::printf("bytes        %zu in memory, %zu packed in the file and for upload, for %ju of a dense grid of floats\n", field.image_bytes,
-              field.packed_bytes, std::uintmax_t{encoding::dense_float_bytes(view)});
+  std::printf("bytes        %zu in memory, %zu packed in the file and for upload; a dense grid of 32-bit floats would take %ju\n",
+              field.image_bytes, field.packed_bytes, std::uintmax_t{encoding::dense_float_bytes(view)});
   std::printf("hash         %s\n", trace::hash_text(field.hash).c_str());
   std::printf("source hash  %s\n", trace::hash_text(info.source_hash).c_str());
   std::printf("method       %s, from %u points\n", info.method == Method::kPublished ? "published" : "default", info.point_count);
@@ -138,11 +138,11 @@ void print_text(const DescribedField& field) {
   std::printf("band         ±%g voxels = ±%.3f mm\n", to_double(view.band), to_double(view.band) * to_double(view.edge));
   const StiffnessRange stiffness(field);
   if (!stiffness.varies) {
-    std::printf("stiffness    %g N/mm\n", stiffness.largest);
+    std::printf("stiffness    %.4g N/mm\n", stiffness.largest);
   } else {
     std::printf("stiffness    %.3g to %.3g N/mm over the surface\n", stiffness.least, stiffness.largest);
   }
-  std::printf("transform    workspace mm = %.9g · cloud + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());
+  std::printf("transform    workspace mm = %.9g · input + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());
   const encoding::Certificate promise = encoding::certificate_of(view);
   if (promise.largest_slope > 0.0) {
     std::printf("slope        at most %.3f; rounding moves the surface by %.5f voxel at most\n", promise.largest_slope,
@@ -153,8 +153,8 @@ void print_text(const DescribedField& field) {
     } else {
       std::printf("thinnest     no wall below %g voxels\n", 2.0 * to_double(view.band));
     }
-    std::printf("advisable    up to %.2f N/mm at %.0f Hz, %g N·s/m of device damping, a delay of %u ticks\n", promise.stiffness_n_per_mm,
-                1e9 / promise.period_ns, 1000.0 * promise.damping_ns_per_mm, promise.delay_ticks);
+    std::printf("advisable    up to %.2f N/mm at %.0f Hz, %.4g N·s/m of device damping, a delay of %u tick%s\n", promise.stiffness_n_per_mm,
+                1e9 / promise.period_ns, 1000.0 * promise.damping_n_s_mm, promise.delay_ticks, promise.delay_ticks == 1 ? "" : "s");
     if (const CertificateCheck check = certificate_check(field); !check.accepted) {
       std::printf("             %s\n", describe(check.error));
     }
@@ -180,11 +180,11 @@ void add_info(CLI::App& app) {
   command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_flag("--surface", options->surface, "also measure the whole surface: number of pieces, volume inside, area");
   command->add_flag("--json", options->json, "print one JSON object");
-  command->add_option("--field", options->key, "print only the value with this key of the JSON object, such as hash");
+  command->add_option("--key", options->key, "print only the value with this key of the JSON object, such as hash");
   command->callback([options] {
     const std::vector<std::uint8_t> file = read_file(options->field);
     const DescribedField field = field_file::describe_field(file, options->field.string(), options->surface);
-    if (!options->key.empty()) return print_field(field_json(field, options->surface), options->key);
+    if (!options->key.empty()) return print_key(field_json(field, options->surface), options->key);
     if (options->json) {
       std::printf("%s\n", field_json(field, options->surface).dump(2).c_str());
       return;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "host/board_commands/number_in.h"
+#include "host/board_commands/number_list.h"
 #include "host/board_commands/output.h"
 #include "host/view/camera.h"
 
@@ -29,9 +30,7 @@ struct PictureOptions {
   }
   /// For pictures in perspective.
   void add_view_to(CLI::App& command) {
-    command.add_option("--view", view, "azimuth,elevation of the eye, degrees; 0,0 is in front (35,20)")
-        ->delimiter(',')
-        ->expected(2)
+    take_numbers(command.add_option("--view", view, "where the eye is, degrees; 0,0 is in front (35,20)"), "AZIMUTH,ELEVATION")
         ->check(number_in(-360.0, 360.0));
     command.add_option("--up", up, "the axis that points upwards: x, y or z")->check(CLI::IsMember({"x", "y", "z"}))->capture_default_str();
   }

@@ -188,8 +188,7 @@ void add_plot(CLI::App& app) {
   force->add_option("TRACE", force_run->trace, "the recorded hand (.trace)")->required();
   CLI::Option* other =
       force->add_option("OTHER", force_run->other, "another one, drawn over it; below, the length of the difference of the forces");
-  force->add_option("--field,--blob", force_run->field,
-                    "the field; needed if a trace holds inputs only, or takes its stiffness from the field");
+  force->add_option("--field", force_run->field, "the field; needed if a trace holds inputs only, or takes its stiffness from the field");
   force->add_option("--exact-sphere", force_run->sphere_mm, "also draw the exact force of a sphere of this radius (mm) around the origin")
       ->check(number_in(0.001, 10000.0))
       ->excludes(other);

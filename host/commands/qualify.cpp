@@ -35,7 +35,7 @@ void print(std::FILE* to, const qualify::Figures& figures, const std::vector<qua
   for (const qualify::Judgement& j : judgements) {
     const bool known = j.outcome != qualify::Judgement::Outcome::kNotMeasured;
     std::fprintf(to, "%-26s%10s %-6s limit %s: %s\n", j.what.c_str(), known ? view::significant(j.value, 3).c_str() : "", j.unit.c_str(),
-                 view::significant(j.limit, 3).c_str(), qualify::name_of(j.outcome));
+                 view::significant(j.limit, 3).c_str(), qualify::in_words(j.outcome));
   }
   if (!figures.practice.empty())
     std::fprintf(to, "settings of the board that affect timing (they explain the figures above; the verdict does not depend on them):\n");
@@ -100,7 +100,7 @@ void add_qualify(CLI::App& app) {
       ->check(number_in(0.0, 3600.0))
       ->capture_default_str();
   command->add_option("--priority", options->wish.priority, "priority of cyclictest (without this, the tick's own); 0: do not run it")
-      ->check(CLI::Range(0, 99));
+      ->check(whole_number_in(0, 99));
   command->add_flag_callback(
       "--no-trace", [options] { options->wish.trace = false; },
       "do not use the kernel's tracer; the report then names no causes of late ticks");
@@ -108,7 +108,7 @@ void add_qualify(CLI::App& app) {
   const auto limit = [command](const char* names, double& value, const std::string& about) {
     command->add_option(names, value, "limit: " + about)->check(number_in(0, 1e9))->capture_default_str();
   };
-  limit("--missed,--left-out", limits.left_out, "missed ticks, percent");
+  limit("--missed", limits.left_out, "missed ticks, percent");
   limit("--late", limits.late_ticks, "number of late ticks, also while other programs write to memory");
   limit("--wakeup-us", limits.wakeup_us, "99.9th percentile of the wake-up delay, us; 0: a tenth of the period");
   limit("--round-trip-us", limits.round_trip_us, "99.9th percentile of the device's round trip, us");

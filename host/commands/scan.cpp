@@ -165,7 +165,7 @@ void add_scan(CLI::App& app) {
              "the cloud to write, from a mesh in its frame, from a trace in workspace mm")
       ->required();
   command->add_option("--points", options->touch.points, "largest number of points; they are spread evenly")
-      ->check(CLI::Range(8, 1000000))
+      ->check(whole_number_in(8, 1000000))
       ->capture_default_str();
   command
       ->add_option("--stiffness", options->touch.stiffness_n_per_mm,

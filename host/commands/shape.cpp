@@ -7,6 +7,7 @@
 #include <string>
 
 #include "host/board_commands/choice.h"
+#include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
@@ -55,7 +56,7 @@ void add_shape(CLI::App& app) {
   auto options = std::make_shared<ShapeOptions>();
   command->add_option("name", options->name, "the object")->required()->check(one_of(cloud::shape_names()));
   add_output(*command, "-o,--out", options->out, {&forms::kPly}, "the cloud to write")->required();
-  command->add_option("--points", options->points, "number of points; each object has its own default")->check(CLI::Range(8, 1000000));
+  command->add_option("--points", options->points, "number of points; each object has its own default")->check(whole_number_in(8, 1000000));
   command->add_option("--seed", options->seed, "seed of the random numbers")->capture_default_str();
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] {

@@ -276,12 +276,12 @@ void add_stream(CLI::App& app) {
   CLI::Option* name = command->add_option("--name", options->stream.name, "name of the field at the controller");
   name->check(field_name())->capture_default_str();
   add_box(*command, options->stream.box,
-          "the part of space that is scanned, two corners X,Y,Z,X,Y,Z in the input's coordinates; by default the box of the first frame "
+          "the part of space that is scanned, two corners in the input's coordinates; by default the box of the first frame "
           "and half of its longest side more on each side");
-  CLI::Option* voxel = command->add_option("--voxel", options->stream.space.voxel_mm, "edge of a voxel, such as 0.34mm");
+  CLI::Option* voxel = command->add_option("--voxel", options->stream.space.voxel_mm, "edge of a voxel, such as 0.5mm");
   voxel->transform(quantity(kLength, 1.0 / 64, 16));
   CLI::Option* grid = command->add_option("--grid", options->stream.space.grid, "voxels along the longest side of the box; by default 186");
-  grid->check(CLI::Range(8, 4000))->excludes(voxel);
+  grid->check(whole_number_in(8, 4000))->excludes(voxel);
   command->add_option("--band", options->stream.space.band, "half width of the band around the surface that is stored, in voxels")
       ->check(number_in(1.0, 7.99))
       ->capture_default_str();
@@ -293,12 +293,12 @@ void add_stream(CLI::App& app) {
   command->add_option("--units", options->units, "keep the true size; the unit of the input's coordinates")
       ->check(one_of({"mm", "cm", "m", "in"}))
       ->excludes(fit);
-  command->add_option("--keep", options->keep_s, "a point counts for so many seconds; by default for good")->check(number_in(0.01, 3600.0));
+  command->add_option("--keep", options->keep_s, "seconds for which a point counts; by default for good")->check(number_in(0.01, 3600.0));
   command
       ->add_option("--enough", options->enough,
-                   "so many points of a place count, which is two voxels wide, and further ones are left out; 0: all count. By default 16, "
-                   "and all of files and recordings without --rate")
-      ->check(CLI::Range(0, 1000000));
+                   "largest number of points that count in one place, which is two voxels wide; 0: all of them. By default 16, and all of "
+                   "files and recordings without --rate")
+      ->check(whole_number_in(0, 1000000));
   command
       ->add_option("--rate", options->rate,
                    "frames per second: by default 30 of a camera and of touches; files and recordings come as fast as they are taken")
@@ -307,13 +307,13 @@ void add_stream(CLI::App& app) {
                     "with standard input: leave no frame out; whoever writes them waits until they are taken");
   command->add_option("--seconds", options->seconds, "how long at most; by default until the source ends")
       ->check(number_in(0.001, 86400.0));
-  add_viewpoint(*command, options->sensor, "the sensor's place X Y Z in the input's coordinates: every normal is turned towards it");
+  add_viewpoint(*command, options->sensor, "the sensor's place in the input's coordinates: every normal is turned towards it");
   auto intrinsics = std::make_shared<CameraOptions>();
   intrinsics->add_to(*command);
   command->add_option("--noise", options->camera.noise, "with --camera: standard deviation of a depth, such as 0.2mm")
       ->transform(quantity(kLength, 0, 10))
       ->needs(mesh);
-  command->add_option("--dropouts", options->camera.dropouts, "with --camera: share of the pixels that return nothing, 0 to 1")
+  command->add_option("--dropouts", options->camera.dropouts, "with --camera: share of the pixels that return nothing")
       ->check(number_in(0.0, 1.0))
       ->needs(mesh);
   command->add_option("--turn", options->camera.turn_seconds, "with --camera: seconds for once round the object")
@@ -321,13 +321,13 @@ void add_stream(CLI::App& app) {
       ->needs(mesh)
       ->capture_default_str();
   command->add_option("--columns", options->camera.columns, "with --camera: pixels across; it has three quarters as many rows")
-      ->check(CLI::Range(8, 4000))
+      ->check(whole_number_in(8, 4000))
       ->needs(mesh)
       ->capture_default_str();
   command->add_option("--seed", options->camera.seed, "with --camera: seed of noise and dropouts")->needs(mesh)->capture_default_str();
   command
       ->add_option("--threads", options->threads, "number of threads; by default one for each processor. The result does not depend on it")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number_in(1, 1024));
   command->add_flag("--json", options->json, "print one JSON object at the end");
   command->callback([options, intrinsics, to, name, fit] {
     if (to->count() == 0 && options->out.empty()) throw CLI::ValidationError("--to", "name a controller, or a file with -o, or both");

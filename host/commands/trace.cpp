@@ -135,7 +135,7 @@ void add_make(CLI::App& trace) {
   command->add_option("KIND", options->motion.kind, "which")->required()->check(one_of(motion::motion_kinds()));
   command->add_option("FIELD", options->field, "the field that the hand follows; without one it moves through the whole workspace");
   command->add_option("--ticks", options->motion.ticks, "exact number of ticks; 0: one round of the motion")
-      ->check(CLI::Range(std::uint64_t{0}, motion::kMaxTicks))
+      ->check(whole_number_in(0, motion::kMaxTicks))
       ->capture_default_str();
   command->add_option("--seed", options->motion.seed, "seed of the places and speeds")->capture_default_str();
   command->add_option("--lost", options->lost_percent, "percentage of samples that do not arrive and are repeated")
@@ -158,7 +158,6 @@ void add_to_packets(CLI::App& trace) {
   auto options = std::make_shared<ToPacketsOptions>();
   CLI::App* command = trace.add_subcommand(
       "to-packets", "Turn the positions of a hand into the packets of a device that the hand moves, and compute the tick's outputs");
-  command->alias("wire");
   command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_option("HAND", options->hand, "the recorded positions (.trace)")->required();
   add_output(*command, "-o,--out", options->out, {&forms::kTrace}, "the trace to write")->required();
@@ -172,8 +171,8 @@ void add_diff(CLI::App& trace) {
   auto options = std::make_shared<DiffOptions>();
   CLI::App* command =
       trace.add_subcommand("diff", "Find the first tick and value in which two recorded traces differ; exit code 3 if they do");
-  command->add_option("A", options->a)->required();
-  command->add_option("B", options->b)->required();
+  command->add_option("A", options->a, "a recorded trace (.trace)")->required();
+  command->add_option("B", options->b, "the trace to compare it with (.trace)")->required();
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { compare_traces(*options); });
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "host/bag/bag_motion.h"
+#include "host/board_commands/number_list.h"
 #include "host/commands/new_trace.h"
 #include "host/error.h"
 #include "host/field_file/open_field.h"
@@ -215,7 +216,7 @@ void add_import(CLI::App& trace) {
                       "mm cm m in; default: the last word of the columns' names, as in x_m; m in a recording");
   command->add_flag("--centre", options->centre, "put the middle of the motion's box at the workspace's centre");
   command->add_option("--scale", options->scale, "then multiply")->capture_default_str();
-  command->add_option("--offset", options->offset, "then move the motion by x,y,z mm")->delimiter(',')->expected(3);
+  take_numbers(command->add_option("--offset", options->offset, "then move the motion by so much, mm"), "X,Y,Z");
   command
       ->add_option(
           "--into", options->into,

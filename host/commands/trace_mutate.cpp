@@ -104,7 +104,6 @@ std::string list_of_mutations() {
 void add_mutate(CLI::App& trace) {
   auto options = std::make_shared<TraceMutateOptions>();
   CLI::App* command = trace.add_subcommand("mutate", "Make a difficult trace out of a harmless one");
-  command->alias("mine");
   command->footer(list_of_mutations());
   std::vector<std::string> names;
   for (const motion::Mutation& mutation : motion::mutations()) names.emplace_back(mutation.name);

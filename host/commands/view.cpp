@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "host/board_commands/controller_options.h"
+#include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
 #include "host/commands/build_json.h"
 #include "host/commands/built_field.h"
@@ -139,7 +140,7 @@ void add_view(CLI::App& app) {
   add_optional_address(*command, options->to, "also show a running controller: ");
   command->add_option("--port", options->port, "the port of 127.0.0.1 to use; by default any that is free");
   command->add_option("--viewers", options->viewers, "how many pages may be open at a time")
-      ->check(CLI::Range(1, 100))
+      ->check(whole_number_in(1, 100))
       ->capture_default_str();
   add_output(*command, "--export", options->exported, {&forms::kPage},
              "serve nothing, but write a page that holds the field and needs no server");

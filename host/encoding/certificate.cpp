@@ -181,8 +181,8 @@ float thinnest_wall(const Surroundings& distance, const Samples& coefficients, f
   return least(thin);
 }
 
-double advisable_stiffness(double damping_ns_per_mm, std::uint32_t delay_ticks, std::uint32_t period_ns) {
-  return 2.0 * damping_ns_per_mm / ((2.0 * delay_ticks + 1.0) * 1e-9 * period_ns);
+double advisable_stiffness(double damping_n_s_mm, std::uint32_t delay_ticks, std::uint32_t period_ns) {
+  return 2.0 * damping_n_s_mm / ((2.0 * delay_ticks + 1.0) * 1e-9 * period_ns);
 }
 
 Certificate certify(const field::BandField& field, const std::vector<Neighbours>& around, const std::vector<Coefficients>& coefficients) {
@@ -211,7 +211,7 @@ Certificate certificate_from(float squared_slope, float wall, double band) {
   certificate.largest_slope = std::sqrt(static_cast<double>(squared_slope));
   certificate.thinnest_wall_voxel = wall < 2.0F * static_cast<float>(band) ? static_cast<double>(std::max(wall, kThinnest)) : 0.0;
   certificate.quantisation_voxel = 0.5 / (1 << Distance::kFractionBits);  // the spline is a mean of coefficients
-  certificate.stiffness_n_per_mm = advisable_stiffness(certificate.damping_ns_per_mm, certificate.delay_ticks, certificate.period_ns);
+  certificate.stiffness_n_per_mm = advisable_stiffness(certificate.damping_n_s_mm, certificate.delay_ticks, certificate.period_ns);
   return certificate;
 }
 

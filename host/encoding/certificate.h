@@ -18,14 +18,14 @@ struct Certificate {
   double thinnest_wall_voxel = 0.0;  ///< between two sides that face away from each other; 0 = none that both bands see
   double stiffness_n_per_mm = 0.0;   ///< the largest advisable one for the three numbers below
   std::uint32_t period_ns = 1'000'000;
-  double damping_ns_per_mm = rows::kAssumedDamping;      ///< of the device
+  double damping_n_s_mm = rows::kAssumedDamping;         ///< of the device
   std::uint32_t delay_ticks = rows::kAssumedDelayTicks;  ///< from encoder to motor command
 };
 
 /// K = 2 b / ((2 d + 1) T), N/mm: above it a sampled wall feeds energy into the hand.
 ///
 /// source    Colgate and Schenkel, Passivity of a class of sampled-data systems, 1997, with d whole periods of delay
-double advisable_stiffness(double damping_ns_per_mm, std::uint32_t delay_ticks, std::uint32_t period_ns);
+double advisable_stiffness(double damping_n_s_mm, std::uint32_t delay_ticks, std::uint32_t period_ns);
 
 /// field          as it was sampled
 /// around         its `neighbours`

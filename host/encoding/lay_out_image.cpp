@@ -73,7 +73,7 @@ void store_certificate(const Certificate& certificate, ImageHeader& header) {
   store(kThinnestWallAt, certificate.thinnest_wall_voxel, 16);
   store_le(at + kAdvisedStiffnessAt, static_cast<std::uint32_t>(std::ldexp(certificate.stiffness_n_per_mm, Stiffness::kFractionBits)));
   store_le(at + kAdvisedPeriodAt, certificate.period_ns);
-  store(kAdvisedDampingAt, certificate.damping_ns_per_mm, Damping::kFractionBits);
+  store(kAdvisedDampingAt, certificate.damping_n_s_mm, Damping::kFractionBits);
   store_le(at + kAdvisedDelayAt, certificate.delay_ticks);
 }
 

@@ -60,7 +60,7 @@ std::string verdict_table(const std::vector<Judgement>& judgements) {
     const char* look = j.outcome == Judgement::Outcome::kMissed ? "missed" : known ? "fit" : "unknown";
     html += "<tr><td>" + html_text(j.what) + "</td><td class=\"n\">" + short_number(j.limit) + " " + html_text(j.unit) +
             "</td><td class=\"n\">" + (known ? short_number(j.value) + " " + html_text(j.unit) : "") + "</td><td class=\"" + look + "\">" +
-            name_of(j.outcome) + "</td></tr>\n";
+            in_words(j.outcome) + "</td></tr>\n";
   }
   return html + "</table>\n";
 }

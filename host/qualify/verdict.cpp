@@ -130,6 +130,10 @@ std::string sentence(const std::vector<Judgement>& judgements) {
   return text;
 }
 
+const char* in_words(Outcome outcome) {
+  return outcome == Outcome::kMet ? "kept" : outcome == Outcome::kMissed ? "exceeded" : "not measured";
+}
+
 const char* name_of(Outcome outcome) { return outcome == Outcome::kMet ? "met" : outcome == Outcome::kMissed ? "missed" : "not measured"; }
 
 }  // namespace isotouch::qualify

@@ -62,7 +62,10 @@ const char* verdict(const std::vector<Judgement>& judgements);
 /// The verdict in one sentence.
 std::string sentence(const std::vector<Judgement>& judgements);
 
-/// "met", "missed", "not measured"
+/// For programs: "met", "missed", "not measured".
 const char* name_of(Judgement::Outcome outcome);
+
+/// For people: "kept", "exceeded", "not measured".
+const char* in_words(Judgement::Outcome outcome);
 
 }  // namespace isotouch::qualify

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 
@@ -16,11 +17,14 @@ inline std::string refusal_of_empty(const std::string& text) {
 }
 
 /// For an option of a whole number without a sign: a parser makes another number of one below zero, or of more than 64 bits.
-inline std::string refusal_of_other_number(const std::string& text) {
+///
+/// low, high   what it may be at least and at most
+inline std::string refusal_of_other_number(const std::string& text, std::uint64_t low = 0, std::uint64_t high = UINT64_MAX) {
   errno = 0;
-  (void)std::strtoull(text.c_str(), nullptr, 0);
-  const bool is_other = text.find('-') != std::string::npos || errno == ERANGE;
-  return is_other ? "'" + text + "' is not a whole number from 0 to 18446744073709551615" : "";
+  char* end = nullptr;
+  const unsigned long long value = std::strtoull(text.c_str(), &end, 0);
+  const bool is_other = *end != '\0' || text.find('-') != std::string::npos || errno == ERANGE || value < low || value > high;
+  return is_other ? "'" + text + "' is not a whole number from " + std::to_string(low) + " to " + std::to_string(high) : "";
 }
 
 }  // namespace isotouch::files

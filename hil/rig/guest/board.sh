@@ -32,7 +32,7 @@ tell_status() { status | sed 's/^/hil: status: /'; }
 status() { isotouchctl status --to $control --json; }
 
 # A value of the status, by its key.
-status_of() { isotouchctl status --to $control --field "$1"; }
+status_of() { isotouchctl status --to $control --key "$1"; }
 
 is_in() { status_of state | grep -qxE "$1"; }
 

@@ -66,7 +66,7 @@ TEST(Mesh, AHoleAFinAndAnInsideOutMeshAreRefused) {
 TEST(Mesh, WithoutFacesIsRefused) {
   const ScratchFolder folder;
   const auto file = folder.write("a.obj", "v 0 0 0\n");
-  EXPECT_EQ(refusal([&] { read_mesh(file); }), file.string() + ": there are no faces in it; a mesh is a closed surface of faces");
+  EXPECT_EQ(refusal([&] { read_mesh(file); }), file.string() + ": has points and no faces; a mesh is a closed surface of faces");
 }
 
 TEST(Mesh, ScatteredPointsLieOnTheFacesInProportionToTheirArea) {

@@ -108,7 +108,7 @@ TEST_F(BuildScan, MarksOfInventedSurfaceStayInPackedFilesAlone) {
   run("export " + file("h.itf") + " -o " + file("h.itfi"));
   EXPECT_EQ(share("h.itfi"), -1) << "an image knows nothing of them";
   EXPECT_THAT(run("info " + file("h.itfi")), Not(HasSubstr("invented")));
-  EXPECT_EQ(run("info " + file("h.itf") + " --field hash"), run("info " + file("h.itfi") + " --field hash"));
+  EXPECT_EQ(run("info " + file("h.itf") + " --key hash"), run("info " + file("h.itfi") + " --key hash"));
   for (const char* name : {"h.itf", "h.itfi"})
     run("render surface " + file(name) + " --size 320x320 --view 200,10 -o " + file(name) + ".png");
   EXPECT_NE(read_file(file("h.itf.png")), read_file(file("h.itfi.png"))) << "only one of them shows what was invented";

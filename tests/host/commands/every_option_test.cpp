@@ -110,6 +110,15 @@ TEST(EveryOption, OfAWholeNumberRefusesASignAndMoreThan64Bits) {
   EXPECT_GT(asked, 15);
 }
 
+/// One range, also for what no parser could read.
+TEST(EveryOption, ANumberOutsideItsBoundsIsRefusedWithTheBounds) {
+  for (const char* ticks : {"-5", "100000001", "18446744073709551616", "many"}) {
+    EXPECT_EQ(refusal({"trace", "make", "press", "-o", "a.trace", "--ticks", ticks}),
+              std::string("--ticks: '") + ticks + "' is not a whole number from 0 to 100000000");
+  }
+  EXPECT_EQ(refusal({"build", "a.ply", "-o", "a.itf", "--grid=-8"}), "--grid: '-8' is not a whole number from 8 to 4000");
+}
+
 /// What would fill the disk, and a gate that could not fail.
 TEST(EveryOption, CountsOfTicksHaveAnEnd) {
   EXPECT_THAT(refusal({"trace", "make", "press", "-o", "a.trace", "--ticks", "100000001"}), testing::StartsWith("--ticks: "));

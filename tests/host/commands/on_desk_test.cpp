@@ -148,7 +148,8 @@ TEST_F(ReplayRenderer, TheTextHasAllFigures) {
 
 TEST_F(ReplayRenderer, AGodObjectsTraceNamesNoField) {
   replay(felt() + " --renderer god-object --mesh " + file("true.ply") + " -o " + file("god.trace"));
-  EXPECT_THAT(refusal(file("ball.itf") + " " + file("god.trace") + " --check"), testing::HasSubstr("give the field it was recorded on"));
+  EXPECT_THAT(refusal(file("ball.itf") + " " + file("god.trace") + " --check"),
+              testing::HasSubstr("god.trace: it names no field; see how this one differs with --renderer field, without --check"));
   const Json back = Json::parse(replay(file("ball.itf") + " " + file("god.trace") + " --renderer field --json")).at("difference");
   const Json there = difference(" --renderer god-object --mesh " + file("true.ply"));
   EXPECT_EQ(back, there) << "a difference has no direction";

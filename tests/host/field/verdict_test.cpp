@@ -300,6 +300,20 @@ TEST(Verdict, WhatExplainsOtherReasonsStandsBeforeThem) {
                           HasSubstr("of the volume"), HasSubstr("no points support")));
 }
 
+TEST(Verdict, OfSurprisesOnAFinerGridThanUsualTheGridIsNamedFirst) {
+  const SoundScan sound = sound_scan(of("sphere"));
+  Progress progress;
+  for (const bool is_finer : {false, true}) {
+    const double usual = 2.0 / sound.usual_grid({2, 2, 2});  // the sphere's diameter, about
+    const ScanField built = scan_field(sound, is_finer ? 0.9 * usual : 1.1 * usual, kBand, progress);
+    Repair repair = built.repair;
+    repair.surprising = 0.03;
+    const auto reasons = judge(built.field, sound, repair, Spacings(sound.points)).reasons;
+    EXPECT_THAT(reasons, Contains(HasSubstr(is_finer ? "do not expect them; leave out --voxel and --grid or choose a coarser one, scan more"
+                                                     : "do not expect them; scan more densely")));
+  }
+}
+
 TEST(Verdict, SurprisesWeighMoreInNoise) {
   SoundScan sound = sound_scan(of("sphere"));
   Progress progress;

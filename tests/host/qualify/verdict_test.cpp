@@ -38,6 +38,15 @@ TEST(Verdict, AGoodBoardIsFitAndEveryLimitWasJudged) {
   EXPECT_TRUE(keys(Outcome::kNotMeasured, kAsItIs).empty());
 }
 
+TEST(Verdict, ALimitIsKeptOrExceededForPeopleAndMetOrMissedForPrograms) {
+  using enum Judgement::Outcome;
+  EXPECT_STREQ(in_words(kMet), "kept");
+  EXPECT_STREQ(in_words(kMissed), "exceeded");
+  EXPECT_STREQ(in_words(kNotMeasured), "not measured");
+  EXPECT_STREQ(name_of(kMet), "met");
+  EXPECT_STREQ(name_of(kMissed), "missed");
+}
+
 TEST(Verdict, EachLimitFailsAloneAndByName) {
   const std::vector<std::pair<std::string, std::function<void(Figures&)>>> spoilt = {
       {"left_out", [](Figures& f) { f.ticks = 9'890; }},

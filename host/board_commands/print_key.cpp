@@ -1,4 +1,4 @@
-#include "host/board_commands/print_field.h"
+#include "host/board_commands/print_key.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -20,7 +20,7 @@ std::string plain(const nlohmann::ordered_json& value) {
 
 }  // namespace
 
-void print_field(const nlohmann::ordered_json& json, const std::string& name) {
+void print_key(const nlohmann::ordered_json& json, const std::string& name) {
   const nlohmann::ordered_json* value = &json;
   for (std::size_t begin = 0; begin <= name.size();) {
     const std::size_t end = std::min(name.find('.', begin), name.size());
@@ -30,7 +30,7 @@ void print_field(const nlohmann::ordered_json& json, const std::string& name) {
       if (value->is_object()) {
         for (const auto& [known, ignored] : value->items()) keys += " " + known;
       }
-      const std::string sentence = "--field " + name + ": there is no '" + key + "'" + (keys.empty() ? "" : "; there are" + keys);
+      const std::string sentence = "--key " + name + ": there is no '" + key + "'" + (keys.empty() ? "" : "; there are" + keys);
       if (begin == 0) throw UsageError(sentence);
       throw InputError(sentence);  // which keys an object within has may depend on the controller
     }

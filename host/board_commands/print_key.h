@@ -10,6 +10,6 @@ namespace isotouch::commands {
 ///
 /// name      a key, or keys joined by dots: "tick_us.p999"
 /// fails     UsageError that lists the keys there are; InputError where the first part is one: what an object within has may depend on the controller
-void print_field(const nlohmann::ordered_json& json, const std::string& name);
+void print_key(const nlohmann::ordered_json& json, const std::string& name);
 
 }  // namespace isotouch::commands
