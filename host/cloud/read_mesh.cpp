@@ -64,6 +64,7 @@ TriangleMesh read_mesh(const SourceFile& file, MeshReport& report) {
                        ": a coordinate is larger than 1e12; the file is damaged or its units are unusable");
     }
   }
+  if (model.faces.empty() && !model.positions.empty()) throw NoFaces(file.name(), "a mesh is a closed surface of faces");
   cut_polygons(model, file.name());
   TriangleMesh mesh = joined(model);
   if (mesh.faces.empty()) throw InputError(file.name() + ": there are no faces in it; a mesh is a closed surface of faces");

@@ -7,8 +7,16 @@
 
 #include "host/cloud/mesh.h"
 #include "host/cloud/source_file.h"
+#include "host/error.h"
 
 namespace isotouch::cloud {
+
+/// A file of points without faces.
+class NoFaces : public InputError {
+ public:
+  /// remedy    what to do about it
+  NoFaces(const std::string& file, const std::string& remedy) : InputError(file + ": has points and no faces; " + remedy) {}
+};
 
 /// What stands in a mesh's file.
 struct MeshReport {
@@ -19,7 +27,7 @@ struct MeshReport {
 /// Reads PLY, OBJ or STL (ascii or binary). Vertices at exactly the same place are joined, larger polygons cut into triangles, faces that name one
 /// place twice and vertices without a face dropped.
 ///
-/// fails     InputError: as the readers and `cut_polygons`; a coordinate beyond 1e12; no faces left
+/// fails     InputError: as the readers and `cut_polygons`; a coordinate beyond 1e12; no faces left, as NoFaces where the file has none
 TriangleMesh read_mesh(const std::filesystem::path& file);
 TriangleMesh read_mesh(const SourceFile& file, MeshReport& report);
 

@@ -68,10 +68,20 @@ Measured measure(const FieldView& field, const evaluate::TrueSurface& mesh, Prog
   return measured;
 }
 
+cloud::TriangleMesh read_truth(const std::filesystem::path& file) {
+  try {
+    return cloud::read_mesh(file);
+  } catch (const cloud::NoFaces&) {
+    throw cloud::NoFaces(file.string(),
+                         "compare needs the closed mesh of the object; make one of a field with isotouch export FIELD --input-frame -o "
+                         "mesh.ply");
+  }
+}
+
 /// The mesh of a file, where the field's cloud is: sound as `build` wants it, and without holes.
 cloud::TriangleMesh placed_mesh(const std::filesystem::path& file, const FieldView& field) {
   field::MeshRepair repair;
-  cloud::TriangleMesh mesh = field::closed_mesh(cloud::read_mesh(file), file.string(), repair);
+  cloud::TriangleMesh mesh = field::closed_mesh(read_truth(file), file.string(), repair);
   if (repair.holes > 0)
     throw InputError(file.string() + ": " + repair.warnings().front() + ", so it is no truth to compare with; close it first");
   for (const std::string& warning : repair.warnings()) std::fprintf(stderr, "isotouch: %s: %s\n", file.string().c_str(), warning.c_str());

@@ -42,10 +42,10 @@ nlohmann::ordered_json to_json(const std::vector<DamageRow>& rows) {
 void print(const std::vector<DamageRow>& rows) {
   std::printf(
       "the same from damaged scans: noise of 2 %% of the spacing, 1 %% outliers in and round the box, 6 %% of the normals flipped\n");
-  std::printf("  %-10s %-9s %9s %9s %11s %6s %11s %14s %15s\n", "shape", "damage", "rms vox", "p99 vox", "normal rms", "lost", "components",
-              "normals turned", "debris dropped");
+  std::printf("  %-10s %-9s %9s %9s %11s %6s %11s %14s %19s\n", "shape", "damage", "rms vox", "p99 vox", "normal rms", "lost", "components",
+              "normals turned", "unsupported dropped");
   for (const DamageRow& row : rows) {
-    std::printf("  %-10s %-9s %9.4f %9.4f %10.3f° %6zu %11zu %14zu %15zu\n", row.shape.c_str(), row.damage.c_str(), row.error.rms_voxel,
+    std::printf("  %-10s %-9s %9.4f %9.4f %10.3f° %6zu %11zu %14zu %19zu\n", row.shape.c_str(), row.damage.c_str(), row.error.rms_voxel,
                 row.error.p99_voxel, row.error.normal_rms_deg, row.error.lost, row.components, row.repair.turned,
                 row.repair.debris.pieces + row.repair.debris.cavities);
   }

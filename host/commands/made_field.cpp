@@ -219,7 +219,14 @@ Made from_mesh(const cloud::SourceFile& source, const BuildOptions& options, Bui
   require_default_method(options, "a mesh");
   require_no_normals(options, "a mesh");
   cloud::MeshReport read;
-  const cloud::TriangleMesh file = cloud::read_mesh(source, read);
+  const cloud::TriangleMesh file = [&] {
+    try {
+      return cloud::read_mesh(source, read);
+    } catch (const cloud::NoFaces&) {
+      if (options.as != SourceKind::kMesh) throw;
+      throw cloud::NoFaces(source.name(), "leave out --as mesh");
+    }
+  }();
   progress.begin("check");
   field::MeshRepair repair;
   const cloud::TriangleMesh in_file = field::closed_mesh(file, options.input.string(), repair);

@@ -1,5 +1,6 @@
 #include "host/field/verdict.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -183,6 +184,18 @@ std::vector<std::string> reasons_of_scan(const SoundScan& sound) {
   return reasons;
 }
 
+namespace {
+
+/// Was a finer grid asked for than the points would have got?
+bool is_finer_than_usual(const BandField& field, const SoundScan& sound, const std::vector<Vector3d>& measured) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& point : measured) box.extend(point);
+  const Vector3d sides = box.sizes();
+  return field.grid.edge < 0.99 * sides.maxCoeff() / sound.usual_grid(sides);
+}
+
+}  // namespace
+
 Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repair, const Spacings& spacings) {
   const double volume = static_cast<double>(inside_samples(field)) * field.grid.edge * field.grid.edge * field.grid.edge;
   Verdict verdict;
@@ -304,8 +317,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   const std::size_t strays = sound.is_estimated ? 0 : sound.strays_among + repair.isolated;
   const double strays_among = static_cast<double>(strays) / (count + static_cast<double>(sound.strays_among));
   limit(verdict.surprising_share, kMostSurprising * in_noise + kPerStray * strays_among,
-        per_cent(verdict.surprising_share) +
-            " of the surface has points where their neighbours do not expect them; scan more densely, or with less noise");
+        per_cent(verdict.surprising_share) + " of the surface has points where their neighbours do not expect them; " +
+            (is_finer_than_usual(field, sound, measured) ? "leave out --voxel and --grid or choose a coarser one, " : "") +
+            "scan more densely, or with less noise");
   const double beyond = verdict.gap_share > most_gaps ? 0.0 : verdict.volume_of_enclosed - 1.0;  // known as far as the points close
   limit(beyond, kMostVolume,
         "the body has " + per_cent(verdict.volume_of_enclosed) +

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host/error.h"
+#include "host/trace/hash_text.h"
 
 namespace isotouch::trace {
 
@@ -39,7 +40,10 @@ void check_usable(const FieldView& field, const Trace& trace, bool check) {
   if (!trace.header().has_outputs) throw InputError(name + describe(Error::kNoOutputs) + "; replay it with -o first");
   if (trace.size() == 0) throw InputError(name + "holds no records, there is nothing to compare");
   if (!may_be_of(trace, field.hash())) {
-    throw InputError(name + describe(Error::kWrongField) + "; give the field it was recorded on, or replay without --check");
+    if (trace.header().field_hash == 0)
+      throw InputError(name + "it names no field; see how this one differs with --renderer field, without --check");
+    throw InputError(name + "recorded on the field " + hash_text(trace.header().field_hash) + ", and this one is " +
+                     hash_text(field.hash()) + "; give that field, or see what the change means with --renderer field, without --check");
   }
 }
 

@@ -58,7 +58,7 @@ Trace read_trace(const std::filesystem::path& file, InputKind kind) {
   throw InputError(file.string() +
                    (kind == InputKind::kPacket
                         ? ": holds positions of a hand, this needs the packets of a device; make some with isotouch trace to-packets"
-                        : ": holds the packets of a device, this needs positions of a hand"));
+                        : ": is a recording of packets already; use it as it is, or name a trace that trace make or trace import wrote"));
 }
 
 TraceWriter::TraceWriter(const std::filesystem::path& file, const TraceHeader& header, files::Leftover leftover)
