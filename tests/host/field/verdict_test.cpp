@@ -303,8 +303,10 @@ TEST(Verdict, WhatExplainsOtherReasonsStandsBeforeThem) {
 TEST(Verdict, OfSurprisesOnAFinerGridThanUsualTheGridIsNamedFirst) {
   const SoundScan sound = sound_scan(of("sphere"));
   Progress progress;
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& point : sound.points.positions) box.extend(point);
+  const double usual = box.sizes().maxCoeff() / sound.usual_grid(box.sizes());
   for (const bool is_finer : {false, true}) {
-    const double usual = 2.0 / sound.usual_grid({2, 2, 2});  // the sphere's diameter, about
     const ScanField built = scan_field(sound, is_finer ? 0.9 * usual : 1.1 * usual, kBand, progress);
     Repair repair = built.repair;
     repair.surprising = 0.03;
