@@ -1,16 +1,31 @@
 #include "host/server/tick_rows.h"
 
+#include <limits>
+
 #include "host/server/put_bytes.h"
 #include "host/to_double.h"
 
 namespace isotouch::server {
 
+namespace {
+
+/// shared/SPEC.md: a device's tick says zeros while nobody knows where the hand is.
+bool is_hip_known(const TraceRecord& record) { return record.input.kind != InputKind::kPacket || record.output.hip != Vec3<Mm>{}; }
+
+}  // namespace
+
 nlohmann::ordered_json column_names() { return {{"floats", kFloatColumns}, {"wholes", kWholeColumns}, {"row_bytes", kRowBytes}}; }
 
 void RowWriter::append(const TraceRecord& record, std::string& rows) {
   const Output& out = record.output;
-  const Eigen::Vector3d hip = to_double(out.hip), proxy = to_double(out.proxy), force = to_double(out.force);
-  work_.add({hip.x(), hip.y(), hip.z()}, {force.x(), force.y(), force.z()}, may_give_force(record.input.kind, out));
+  Eigen::Vector3d hip = to_double(out.hip), proxy = to_double(out.proxy);
+  const Eigen::Vector3d force = to_double(out.force);
+  if (is_hip_known(record)) {
+    work_.add({hip.x(), hip.y(), hip.z()}, {force.x(), force.y(), force.z()}, may_give_force(record.input.kind, out));
+  } else {
+    work_.lift();
+    hip = proxy = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
   for (const Eigen::Vector3d& vector : {hip, proxy, force}) {
     for (const double value : vector) put_float(rows, value);
   }

@@ -29,6 +29,7 @@ class RowWriter {
  public:
   /// Appends the row of the next tick, little-endian.
   ///
+  /// hip, proxy      NaN while nobody knows where the hand of a device is
   /// penetration_mm  length of the deflection in contact, else 0
   /// energy_mj       work that the force has done on the hand since the first row: hand_work.h
   /// state_faults    SupervisorState in the lower half, Faults in the upper one

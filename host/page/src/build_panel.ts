@@ -7,6 +7,7 @@ const number = (value: number): string => value.toLocaleString('en');
 
 export class BuildPanel {
   private readonly panel = element('build');
+  private said = '';
 
   constructor(private readonly server: Server) {
     const drop = element('drop');
@@ -45,6 +46,9 @@ export class BuildPanel {
   }
 
   show(build: Build): void {
+    const said = JSON.stringify(build);
+    if (said === this.said) return; // it comes again after a lost connection, also where the panel was closed since
+    this.said = said;
     if (build.result === undefined) {
       const progress = make('progress', { max: 1, value: build.done ?? 0 });
       progress.setAttribute('aria-label', 'Share of the build that is done');

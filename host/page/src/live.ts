@@ -1,6 +1,6 @@
 // The ticks of a running hand: the newest one, where it was, and coarse curves of the last seconds.
 import { Playout } from './playout';
-import { length, type RowReader, type Tick, type Vector } from './rows';
+import { isKnown, length, type RowReader, type Tick, type Vector } from './rows';
 import type { Data } from './plots';
 
 const kSeconds = 10; // that the curves show
@@ -67,7 +67,7 @@ export class Live {
       return;
     }
     this.pieces.push({ time, force: length(tick.force), penetration: tick.penetration, energy: tick.energy });
-    this.places.push({ tick: tick.tick, hip: tick.hip });
+    if (isKnown(tick.hip)) this.places.push({ tick: tick.tick, hip: tick.hip });
     if (this.places.length > (2 * kTrailSeconds) / kPiece) this.places.shift();
     const old = this.pieces.findIndex((piece) => piece.time >= time - kSeconds);
     if (old > 100) this.pieces.splice(0, old);

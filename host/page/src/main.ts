@@ -12,7 +12,7 @@ import { Numbers } from './numbers';
 import { Player } from './player';
 import { Plots, type Data } from './plots';
 import { inPieces, Recording } from './recording';
-import { RowReader, type Tick } from './rows';
+import { isKnown, RowReader, type Tick } from './rows';
 import { SceneView } from './scene_view';
 import { Refused, Server } from './server';
 import { SliceControl } from './slice_control';
@@ -382,8 +382,8 @@ class Page {
     ticks.forEach((tick, pane) => {
       const marks = this.view?.panes[pane];
       if (!marks) return;
-      if (!tick) {
-        if (this.source !== 'recording') marks.clear(); // a recorded tick is on its way
+      if (!tick || !isKnown(tick.hip)) {
+        if (tick || this.source !== 'recording') marks.clear(); // a recorded tick is on its way
         return;
       }
       const running = this.source === 'live' ? this.live : this.source === 'touch' ? this.touch.touched : null;

@@ -1,8 +1,8 @@
 // The table of what one tick holds, in one column for each run; every number with its unit.
 import { element, make } from './dom';
-import { length, type Tick } from './rows';
+import { isKnown, length, type Tick, type Vector } from './rows';
 
-const triple = (v: { x: number; y: number; z: number }, digits: number): string => [v.x, v.y, v.z].map((value) => value.toFixed(digits)).join('  ');
+const triple = (v: Vector, digits: number): string => (isKnown(v) ? [v.x, v.y, v.z].map((value) => value.toFixed(digits)).join('  ') : '–');
 
 const kRows: [string, (tick: Tick) => string][] = [
   ['Force', (tick): string => `${length(tick.force).toFixed(2)} N`],

@@ -1,6 +1,6 @@
 // One recording: its ticks are fetched in blocks as they are shown, its curves for whatever part of it is seen.
 import type { TraceEvent, TraceSummary, Words } from './messages';
-import type { RowReader, Tick, Vector } from './rows';
+import { isKnown, type RowReader, type Tick, type Vector } from './rows';
 
 const kBlock = 2048; // ticks
 const kKept = 24; // blocks
@@ -74,7 +74,7 @@ export class Recording {
     const step = Math.max(1, Math.round(ticks / kTrailPlaces));
     for (let tick = to - ticks; tick <= to; tick += step) {
       const known = this.tick(tick);
-      if (known) places.push(known.hip);
+      if (known && isKnown(known.hip)) places.push(known.hip);
     }
     return places;
   }

@@ -9,7 +9,7 @@ export interface Vector {
 
 export interface Tick {
   tick: number;
-  hip: Vector; // mm
+  hip: Vector; // mm; not known as long as a device does not know it, nor is the proxy
   proxy: Vector; // mm
   force: Vector; // N
   penetration: number; // mm
@@ -18,6 +18,7 @@ export interface Tick {
   fault: boolean;
 }
 
+export const isKnown = (v: Vector): boolean => !Number.isNaN(v.x);
 export const length = (v: Vector): number => Math.hypot(v.x, v.y, v.z);
 
 export class RowReader {

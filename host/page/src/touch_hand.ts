@@ -35,6 +35,7 @@ export class TouchHand {
   private pointer = { clientX: 0, clientY: 0 };
   private place: Vector3 | null = null;
   private count = 0;
+  private padding = 0; // the next look at a gamepad
   private readonly waiting: ((message: FromWorker) => boolean)[] = [];
 
   constructor(
@@ -74,13 +75,13 @@ export class TouchHand {
 
   /** The hand begins in front of the object, in the middle of the picture. */
   begin(radius: number): void {
-    const pads = this.on; // else each time another loop would begin
     this.on = true;
     this.depth = radius;
     const box = this.canvas.getBoundingClientRect();
     this.pointer = { clientX: box.left + box.width / 2, clientY: box.top + box.height / 2 };
     this.move();
-    if (!pads) requestAnimationFrame((now) => this.pad(now, now));
+    cancelAnimationFrame(this.padding); // else each time another loop would begin
+    this.padding = requestAnimationFrame((now) => this.pad(now, now));
   }
 
   end(): void {
@@ -138,7 +139,7 @@ export class TouchHand {
           .addScaledVector(this.view.orbit.towardsEye(), away * mm),
       );
     }
-    requestAnimationFrame((next) => this.pad(now, next));
+    this.padding = requestAnimationFrame((next) => this.pad(now, next));
   }
 
   private shift(by: Vector3): void {

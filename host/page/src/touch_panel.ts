@@ -50,6 +50,7 @@ export class TouchPanel {
   /** `isWanted`: asked once the object is loaded, because another source or object may have been chosen meanwhile. */
   async begin(summary: SceneSummary, isWanted: () => boolean): Promise<void> {
     if (!this.hand) return;
+    this.hand.end();
     this.touched.clear();
     await this.load(summary);
     if (!isWanted()) return;
@@ -91,6 +92,7 @@ export class TouchPanel {
   }
 
   private feel(felt: Felt): void {
+    if (!this.on) return; // of a hand that has left: another object is being loaded
     const before = this.touched.newest;
     for (const tick of felt.ticks) this.touched.add(tick, 1);
     const last = felt.ticks[felt.ticks.length - 1];

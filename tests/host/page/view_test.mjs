@@ -123,12 +123,14 @@ const speakForController = () => {
         const hello = typeof data === 'string' ? JSON.parse(data) : {};
         if (hello.topic !== 'hello') return take({ data });
         Object.assign(globalThis, { give, scene: hello.scene });
-        /** So many ticks, all of them with a hand that touches nothing. */
+        /** So many ticks, all of them with a hand that touches nothing, in the origin unless `place` is another number. */
         globalThis.giveTicks = (first, count) => {
           const batch = new DataView(new ArrayBuffer(16 + count * hello.columns.row_bytes));
           batch.setBigUint64(0, BigInt(first), true);
           batch.setUint32(8, 1, true);
           batch.setUint32(12, count, true);
+          for (let row = 0; row < count; ++row)
+            for (let column = 0; column < 6; ++column) batch.setFloat32(16 + row * hello.columns.row_bytes + 4 * column, globalThis.place ?? 0, true);
           take({ data: batch.buffer });
         };
         give({ ...hello, live: true });
@@ -431,6 +433,30 @@ const tests = {
     await close(opened);
   },
 
+  async 'a hand is drawn where it is known to be'() {
+    const { opened, page, link } = await openForController();
+    await link(true, 'it answers');
+    await page.evaluate(() => {
+      const since = performance.now();
+      let come = 0;
+      setInterval(() => {
+        const due = Math.floor(performance.now() - since);
+        globalThis.giveTicks(1000 + come, due - come);
+        come = due;
+      }, 50);
+    });
+    const shows = (place, isDrawn) =>
+      within(20, async () => (await number(page, 'Hand x, y, z (mm)')) === place && (await number(page, 'Proxy x, y, z (mm)')) === place && (await handPixels(page)) > 0 === isDrawn,
+        async () => `the place is ${await number(page, 'Hand x, y, z (mm)')} instead of ${place}, and ${await handPixels(page)} pixels are the hand's`);
+    await shows('0.0  0.0  0.0', true);
+    await page.evaluate(() => (globalThis.place = NaN));
+    await shows('–', false);
+    check((await number(page, 'Force')) === '0.00 N', 'a tick without a place has no force');
+    await page.evaluate(() => (globalThis.place = 1));
+    await shows('1.0  1.0  1.0', true);
+    await close(opened);
+  },
+
   async 'what is not known of the controller\'s field is not said, and what is wrong with it is'() {
     const { opened, page, link } = await openForController();
     const draw = async (changed) => {
@@ -554,6 +580,22 @@ const tests = {
     await page.waitForSelector('#build .bad', { timeout: 60000 });
     check(/broken\.ply/.test(await page.locator('#build .bad').textContent()), 'a broken file is not named');
     await picture(page, 'refused');
+    await close(opened);
+  },
+
+  async 'what was said of a build is not said again after a lost connection'() {
+    const opened = await open({ before: keepSockets });
+    const { page } = opened;
+    const drop = (buffer) => page.locator('#file').setInputFiles({ name: 'broken.ply', mimeType: 'application/octet-stream', buffer });
+    await page.waitForSelector('#file', { state: 'attached' });
+    for (let time = 0; time < 2; ++time) {   // the same file again is another build
+      await drop(Buffer.from('ply\nformat ascii 1.0\nend_header\n'));
+      await page.waitForSelector('#build .bad', { timeout: 60000 });
+      await page.locator('#build .close').click();
+      await loseConnection(page);
+      await sleep(500);
+      check(!(await page.locator('#build').isVisible()), 'the panel that was closed opens again');
+    }
     await close(opened);
   },
 
@@ -778,6 +820,31 @@ const tests = {
     for (let step = 0; step < 20; ++step) await page.keyboard.press(']');
     await within(20, async () => (await middle()) !== cut, 'the slice stays where it was');
     await close(opened, ['410']);
+  },
+
+  async 'the hand leaves an object for which another one comes'() {
+    const { opened, page } = await openForController();
+    await page.getByRole('button', { name: 'Touch', exact: true }).click();
+    await feel(page);
+    check((await handPixels(page)) > 0, 'there is no hand');
+    let asked;
+    await page.route('**/field?*', (route) => void (asked = route));
+    await page.evaluate(() => globalThis.give({ topic: 'scene', scene: { ...globalThis.scene, name: 'another', follows: false } }));
+    await within(20, () => asked, 'the other object is not loaded');
+    const isGone = async () => (await number(page, 'Force')) === '–' && (await handPixels(page)) === 0;
+    const isThere = async () => `a hand of ${await handPixels(page)} pixels feels ${await number(page, 'Force')} of the object before`;
+    await within(5, isGone, isThere);
+    await asked.fulfill({ status: 503, body: 'the field is being read' });
+    await page.waitForSelector('#notice:has-text("the field is being read")');
+    const box = await page.locator('#canvas').boundingBox();
+    await page.mouse.move(box.x + box.width / 2 + 5, box.y + box.height / 2 + 5, { steps: 20 });
+    await sleep(500);
+    check(await isGone(), await isThere());
+    await page.unroute('**/field?*');
+    await page.getByRole('button', { name: 'Live', exact: true }).click();
+    await page.getByRole('button', { name: 'Touch', exact: true }).click();
+    await feel(page);
+    await close(opened, ['503']);
   },
 
   async 'no slice of another object is drawn while one is loaded to be touched'() {

@@ -63,6 +63,26 @@ TEST(Recording, ARowHoldsWhatTheTickHeld) {
   EXPECT_EQ(recording.rows(~std::size_t{0}, 10), "");
 }
 
+/// A device's tick says zeros as long as nobody knows where the hand is: before homing, and while its pose is uncertain.
+TEST(Recording, APlaceThatIsNotKnownIsNoPlace) {
+  std::vector<TraceRecord> records{pressed(0), pressed(1), pressed(1), pressed(0)};
+  for (TraceRecord& record : records) {
+    record.input.kind = InputKind::kPacket;
+    record.output.state = static_cast<std::uint16_t>(SupervisorState::kActive);
+    record.output.hip.x = record.output.proxy.x = Mm::of(30);
+  }
+  records[2].output = {};
+  records[2].output.state = static_cast<std::uint16_t>(SupervisorState::kHold);
+  records[2].output.status = kPoseUncertain;
+  const std::string rows = Recording(trace_of(records), nullptr).rows(0, 4);
+  for (const std::size_t row : {0U, 1U, 2U, 3U}) {
+    for (std::size_t column = 0; column < 6; ++column) EXPECT_EQ(std::isnan(float_at(rows, row * kRowBytes + 4 * column)), row == 2);
+    EXPECT_FLOAT_EQ(float_at(rows, row * kRowBytes + 40), 0) << "a way from or to nowhere is no work";
+  }
+  const std::string of_a_position = Recording(trace_of({pressed(0)}), nullptr).rows(0, 1);
+  EXPECT_FLOAT_EQ(float_at(of_a_position, 0), 0);
+}
+
 TEST(Recording, AHandThatPressesGivesEnergyAndGetsItBack) {
   const Recording recording(trace_of(two_presses()), nullptr);
   const std::string rows = recording.rows(0, recording.ticks());
