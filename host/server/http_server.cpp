@@ -265,7 +265,7 @@ class Client : public std::enable_shared_from_this<Client> {
     if (!admission.granted()) return refuse(admission.status, admission.sentence);
     if (upgrade) return watch(admission);
     if (!post && header.method() != http::verb::get) return refuse(405, "Only GET and POST are understood here.");
-    keep_ = header.keep_alive();
+    keep_ = header.keep_alive() && (post || parser_->is_done());  // what comes with a question is not read
     Request request{post, std::string(admission.path), std::string(admission.query)};
     if (!post) return compute(std::move(request));
     if (const std::optional<Reply> refused = parts_.site.refusal(request)) {

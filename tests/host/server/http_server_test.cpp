@@ -57,7 +57,9 @@ class Served : public Site {
   std::vector<Shared> greeting() override { return {}; }
 
   std::uint16_t port() const { return static_cast<std::uint16_t>(std::stoi(port_)); }
-  std::string head(std::string_view method = "GET") const { return std::string(method) + " " + path_ + "x HTTP/1.1" + rest(); }
+  std::string head(std::string_view method = "GET", std::string_view then = "close") const {
+    return std::string(method) + " " + path_ + "x HTTP/1.1" + rest(then);
+  }
   std::string stranger() const { return "GET /0/ HTTP/1.1" + rest(); }
 
   std::atomic<int> sending = 0;                              ///< connections that have begun to send something
@@ -65,8 +67,8 @@ class Served : public Site {
   std::atomic<int> ended_elsewhere = 0;                      ///< connections that ended in another thread than that of the sockets
 
  private:
-  std::string rest() const {
-    return "\r\nHost: 127.0.0.1:" + port_ + "\r\nOrigin: http://127.0.0.1:" + port_ + "\r\nConnection: close\r\n";
+  std::string rest(std::string_view then = "close") const {
+    return "\r\nHost: 127.0.0.1:" + port_ + "\r\nOrigin: http://127.0.0.1:" + port_ + "\r\nConnection: " + std::string(then) + "\r\n";
   }
 
   std::string port_, path_;
@@ -102,13 +104,18 @@ class Asking {
   }
   /// Of the answer; empty: there was none.
   std::string status() {
+    const std::string heard = all();
+    return heard.substr(0, heard.find('\r')).substr(0, 12);
+  }
+  /// What comes until the connection ends.
+  std::string all() {
     std::string heard;
     std::array<char, 4096> part{};
     for (ssize_t got = 1; got > 0;) {
       got = ::recv(socket_, part.data(), part.size(), 0);
       if (got > 0) heard.append(part.data(), static_cast<std::size_t>(got));
     }
-    return heard.substr(0, heard.find('\r')).substr(0, 12);
+    return heard;
   }
 
  private:
@@ -134,6 +141,22 @@ TEST(HttpServer, WhoIsRefusedBecauseItIsFullMakesNoRoom) {
     all.push_back(std::make_unique<Asking>(served, served.head() + "\r\n"));
     EXPECT_EQ(all.back()->status(), "HTTP/1.1 503") << i;
   }
+}
+
+/// Whoever passes requests of others on would else let one of them ask in the name of another.
+TEST(HttpServer, WhatComesWithAQuestionIsNoQuestion) {
+  const Served served;
+  const auto answers = [&](const std::string& text) {
+    const std::string heard = Asking(served, text).all();
+    std::size_t count = 0;
+    for (std::size_t at = heard.find("HTTP/1.1 200"); at != std::string::npos; at = heard.find("HTTP/1.1 200", at + 1)) ++count;
+    return count;
+  };
+  const std::string stays = served.head("GET", "keep-alive"), last = served.head() + "\r\n";
+  EXPECT_EQ(answers(stays + "\r\n" + last), 2U);
+  EXPECT_EQ(answers(stays + "Content-Length: " + std::to_string(last.size()) + "\r\n\r\n" + last), 1U);
+  EXPECT_EQ(answers(stays + "Transfer-Encoding: chunked\r\n\r\n" + last), 1U);
+  EXPECT_EQ(answers(served.head("POST", "keep-alive") + "Content-Length: 4\r\n\r\nscan" + last), 2U);
 }
 
 TEST(HttpServer, OneFileIsSentAtATime) {
