@@ -85,14 +85,17 @@ std::vector<Shared> ControllerFeed::newest() const {
   return all;
 }
 
+/// What comes late of a controller that is gone, or before the next one is told of, is left out.
 void ControllerFeed::tell(Topic topic, const nlohmann::ordered_json& json) {
   auto message = std::make_shared<const Message>(Message{topic, false, text_of(json)});
-  {
-    const std::scoped_lock held(lock_);
-    if (topic == Topic::kLink && json["there"] == false) newest_ = {};  // what a controller said that is gone
-    newest_[static_cast<std::size_t>(topic)] = message;
+  const std::scoped_lock held(lock_);
+  if (topic == Topic::kLink) {
+    is_there_ = json["there"];
+    newest_ = {};
   }
-  send_(std::move(message));
+  if (topic != Topic::kLink && !is_there_) return;
+  newest_[static_cast<std::size_t>(topic)] = message;
+  send_(std::move(message));  // in the order of what is told
 }
 
 bool ControllerFeed::wait(const std::stop_token& stop, int ms) {
@@ -113,9 +116,8 @@ void ControllerFeed::follow(const std::stop_token& stop) {
       why = error.what();
     }
     if (stop.stop_requested()) return;
-    if (was_there_ || why != last)
+    if (is_there_ || why != last)
       tell(Topic::kLink, {{"topic", "link"}, {"there", false}, {"sentence", why + "; the page tries again by itself"}});
-    was_there_ = false;
     last = why;
   } while (wait(stop, kAgain_ms));
 }
@@ -132,7 +134,6 @@ void ControllerFeed::follow_once(const std::stop_token& stop) {
                       {"sentence", address_ + ": " + std::string(controller.welcome().program.view()) + " answers"},
                       {"period_ns", controller.welcome().period_ns},
                       {"every", every}});
-  was_there_ = true;
   Batch batch(every);
   std::optional<TickWords> words, told;
   std::uint64_t last_tick = 0;

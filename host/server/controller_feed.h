@@ -35,7 +35,7 @@ class ControllerFeed {
   };
 
   /// address   of the controller
-  /// send, field   called by threads of this object
+  /// send, field   called by threads of this object; send must not call this object
   ControllerFeed(std::string address, Send send, Describe describe, Field field);
 
   /// What a viewer that comes now has missed: the newest of each topic but ticks.
@@ -57,7 +57,7 @@ class ControllerFeed {
   Field field_;
   mutable std::mutex lock_;
   std::array<Shared, kTopics> newest_;
-  bool was_there_ = false;
+  bool is_there_ = false;       ///< as `follow`, which alone changes it, has told last
   std::uint64_t unusable_ = 0;  ///< the hash of a field that could not be taken; 0: none
   std::string why_unusable_;
   std::atomic<std::uint16_t> standing_{0};  ///< faults, those before a restart among them, which no tick has

@@ -53,6 +53,12 @@ void say(int client, const std::vector<test::Bytes>& frames) {
   for (const test::Bytes& bytes : frames) (void)::send(client, bytes.data(), bytes.size(), MSG_NOSIGNAL);
 }
 
+protocol::Welcome of_a_millisecond() {
+  protocol::Welcome welcome;
+  welcome.period_ns = 1'000'000;
+  return welcome;
+}
+
 /// What a controller says first to the one who asks for its figures, without its device.
 std::vector<test::Bytes> measured(const protocol::Welcome& welcome, const protocol::StatusReport& status) {
   return {frame(Kind::kWelcome, welcome), frame(Kind::kHistogramReport, protocol::HistogramReport{}),
@@ -100,6 +106,38 @@ TEST(ControllerFeed, AFaultThatIsOverIsNotShownBesideANewOne) {
   EXPECT_THAT(states.back(), Not(HasSubstr("moved too fast")));
 }
 
+/// Its status is asked over a connection of its own, which may answer late.
+TEST(ControllerFeed, NothingIsSaidOfAControllerThatIsGone) {
+  std::atomic<bool> is_asked = false, is_gone = false;
+  const auto follows = [&](int client) {
+    say(client, {frame(Kind::kWelcome, of_a_millisecond()), frame(Kind::kDone), record(1, kFaultSilent)});
+    for (int n = 0; n < 400 && !is_asked; ++n) std::this_thread::sleep_for(50ms);
+  };
+  const auto measures = [](int client) {
+    say(client, measured(of_a_millisecond(), {}));
+    test::Scripted::says({}, false)(client);
+  };
+  const test::Scripted scripted({follows, measures});
+  std::atomic<int> statuses = 0;
+  const auto heard = [&](const Shared& message) {
+    if (message->topic == Topic::kStatus) ++statuses;
+    if (message->topic == Topic::kLink && message->bytes.find("false") != std::string::npos) is_gone = true;
+  };
+  const auto describe = [&](link::Controller&) {
+    is_asked = true;
+    for (int n = 0; n < 400 && !is_gone; ++n) std::this_thread::sleep_for(50ms);
+    return nlohmann::ordered_json::object();
+  };
+  const ControllerFeed feed(scripted.address(), heard, describe,
+                            {[](std::uint64_t) { return false; }, [](const std::string&, const link::Controller::Image&) {}});
+  for (int n = 0; n < 400 && !is_gone; ++n) std::this_thread::sleep_for(50ms);
+  std::this_thread::sleep_for(500ms);
+  EXPECT_EQ(statuses, 0);
+  const std::vector<Shared> newest = feed.newest();
+  ASSERT_EQ(newest.size(), 1U);
+  EXPECT_EQ(newest[0]->topic, Topic::kLink);
+}
+
 /// The energies in the rows that came of what a controller says.
 ///
 /// talk      says it, to the client that follows
@@ -124,12 +162,6 @@ std::vector<float> energies_of(const test::Scripted::Talk& talk, std::size_t row
   }
   const std::scoped_lock held(lock);
   return energies;
-}
-
-protocol::Welcome of_a_millisecond() {
-  protocol::Welcome welcome;
-  welcome.period_ns = 1'000'000;
-  return welcome;
 }
 
 /// The next burst of a controller, or the end of its ticks, may be a long time away.
