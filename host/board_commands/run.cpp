@@ -8,6 +8,7 @@
 #include <regex>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "host/board_commands/choice.h"
@@ -169,6 +170,10 @@ int answer(const char* program, const char* about, void (*add)(CLI::App& app), i
     return complain(program, kBadInput, e.what());
   } catch (const std::bad_alloc&) {
     return complain(program, kBadInput, "not enough memory for this input; a field with a larger --voxel or a smaller --grid takes less");
+  } catch (const std::system_error& e) {
+    if (e.code() != std::errc::resource_unavailable_try_again) return complain(program, kBadInput, e.what());
+    return complain(program, kBadInput,
+                    "the system starts no more threads; end other programs, or raise its limit of processes (ulimit -u)");
   } catch (const std::exception& e) {
     return complain(program, kBadInput, e.what());
   }

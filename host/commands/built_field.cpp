@@ -105,7 +105,7 @@ BuiltField built_field(const BuildOptions& options) {
   }
   // A scan is judged while its image is written; the verdict is the first to be heard.
   const field::BuiltScan built{made.repair ? made.field : field::BandField{}, made.repair.value_or(field::Repair{})};
-  const auto policy = options.threads == 1 ? std::launch::deferred : std::launch::async;
+  const auto policy = options.threads == 1 ? std::launch::deferred : std::launch::async | std::launch::deferred;  // without another thread
   std::future<field::JudgedScan> judged;
   if (made.repair) {
     judged = std::async(policy, [&] {

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace isotouch::commands {
@@ -61,13 +62,18 @@ ProgressBar::ProgressBar(std::vector<PlannedStage> plan, Drawn drawn)
   if (!on_terminal_) return;
   catch_signals();
   if (drawn_ == Drawn::kAtBegins) return;
-  drawer_ = std::jthread([this](const std::stop_token& stop) {
+  const auto draw_on = [this](const std::stop_token& stop) {
     std::unique_lock held(lock_);
     while (!stop.stop_requested()) {
       woken_.wait_for(held, stop, std::chrono::milliseconds(100), [] { return false; });
       if (!stop.stop_requested()) draw();
     }
-  });
+  };
+  try {
+    drawer_ = std::jthread(draw_on);
+  } catch (const std::system_error&) {
+    drawn_ = Drawn::kAtBegins;  // the system gives no more threads
+  }
 }
 
 ProgressBar::~ProgressBar() { end(); }

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -32,7 +33,7 @@ class ThreadLimit {
 ///
 /// work      must not touch what another range touches
 /// grain     items a range: enough to outweigh its administration
-/// fails     with what a call threw; the ranges that had not begun then are left out
+/// fails     with what a call threw; the ranges that had not begun then are left out. Where the system gives fewer threads, those that there are do all
 template <class Work>
 void in_parallel(std::size_t count, std::size_t grain, const Work& work) {
   std::atomic<std::size_t> next{0};
@@ -51,10 +52,14 @@ void in_parallel(std::size_t count, std::size_t grain, const Work& work) {
   std::vector<std::jthread> helpers;
   const unsigned threads = ThreadLimit::threads();
   for (std::size_t t = 1; t < std::min<std::size_t>(threads, ranges); ++t) {
-    helpers.emplace_back([&] {
-      const ThreadLimit same(threads);
-      run();
-    });
+    try {
+      helpers.emplace_back([&] {
+        const ThreadLimit same(threads);
+        run();
+      });
+    } catch (const std::system_error&) {
+      break;
+    }
   }
   run();
   helpers.clear();  // joins

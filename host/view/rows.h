@@ -2,8 +2,8 @@
 /// them.
 #pragma once
 
-#include <algorithm>
 #include <atomic>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -16,8 +16,14 @@ void for_each_row(int rows, const Work& work) {
   const auto take_rows = [&] {
     for (int y = next++; y < rows; y = next++) work(y);
   };
-  std::vector<std::jthread> helpers(std::max(1U, std::thread::hardware_concurrency()) - 1);
-  for (std::jthread& helper : helpers) helper = std::jthread(take_rows);
+  std::vector<std::jthread> helpers;
+  for (unsigned thread = 1; thread < std::thread::hardware_concurrency(); ++thread) {
+    try {
+      helpers.emplace_back(take_rows);
+    } catch (const std::system_error&) {
+      break;  // the system gives no more; those that there are take all
+    }
+  }
   take_rows();
 }
 

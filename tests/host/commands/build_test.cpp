@@ -18,6 +18,7 @@
 #include "host/cloud/shapes.h"
 #include "host/error.h"
 #include "tests/host/commands/build_fixture.h"
+#include "tests/support/no_more_threads.h"
 
 namespace isotouch::commands {
 namespace {
@@ -97,6 +98,16 @@ TEST_F(Build, TheSameCloudGivesTheSameHash) {
   EXPECT_EQ(first["hash"], second["hash"]);
   const auto other = nlohmann::json::parse(run(arguments + file("c.itf") + " --band 4"));
   EXPECT_NE(first["hash"], other["hash"]);
+}
+
+TEST_F(Build, TheSameHashIsMadeWithoutMoreThreads) {
+  const auto hash = [&](const std::string& made) {
+    return nlohmann::json::parse(run("build " + file("torus.ply") + " -o " + file(made) + " --threads 4 --json"))["hash"]
+        .get<std::string>();
+  };
+  const std::string with = hash("with.itf");
+  const test::NoMoreThreads none;
+  EXPECT_EQ(hash("without.itf"), with);
 }
 
 TEST_F(Build, ThePublishedMethodMakesAFieldOfItsOwn) {

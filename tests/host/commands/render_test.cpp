@@ -15,6 +15,7 @@
 #include "host/trace/trace_file.h"
 #include "host/view/touch_view.h"
 #include "tests/host/commands/run_command.h"
+#include "tests/support/no_more_threads.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch::commands {
@@ -68,6 +69,14 @@ TEST_F(Render, WritesTheTouchThatIsAskedFor) {
     EXPECT_THAT(e.what(), HasSubstr("there is no tick '123456789'"));
   }
   EXPECT_FALSE(fs::exists(file("x.png")));
+}
+
+TEST_F(Render, ThePictureIsTheSameWithoutMoreThreads) {
+  const std::string start = "render surface " + kField.string() + " --size 320x320 -o ";
+  run_command(start + file("with.png"));
+  const test::NoMoreThreads none;
+  run_command(start + file("without.png"));
+  EXPECT_EQ(read_file(file("with.png")), read_file(file("without.png")));
 }
 
 TEST_F(Render, ATouchOfAnotherFieldIsRefused) {

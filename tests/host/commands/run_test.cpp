@@ -6,11 +6,13 @@
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "host/commands/commands.h"
 #include "host/trace/trace_file.h"
 #include "shared/files/nearest_name.h"
+#include "tests/support/no_more_threads.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch::commands {
@@ -22,14 +24,14 @@ struct Answer {
 };
 
 /// What `isotouch` with these arguments answers, by way of its own parser.
-Answer answer(std::vector<std::string> words) {
+Answer answer(std::vector<std::string> words, void (*add)(CLI::App&) = add_all) {
   words.insert(words.begin(), "isotouch");
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   Answer got;
-  got.code = run("isotouch", "about", add_all, static_cast<int>(argv.size()), argv.data());
+  got.code = run("isotouch", "about", add, static_cast<int>(argv.size()), argv.data());
   got.out = testing::internal::GetCapturedStdout();
   got.err = testing::internal::GetCapturedStderr();
   return got;
@@ -97,6 +99,13 @@ TEST(Run, AWrongChoiceNamesTheChoicesAndNoWordOfTheParser) {
   EXPECT_EQ(wrong.code, 2);
   EXPECT_THAT(wrong.err, testing::HasSubstr("there is no 'prss'; did you mean 'press'? the choices are press slide"));
   EXPECT_THAT(wrong.err, testing::Not(testing::HasSubstr("ENUM")));
+}
+
+TEST(Run, AThreadThatTheSystemDoesNotGiveIsASentence) {
+  const test::NoMoreThreads none;
+  const Answer wrong = answer({"build"}, [](CLI::App& app) { app.add_subcommand("build")->callback([] { std::thread([] {}).join(); }); });
+  EXPECT_EQ(wrong.code, 1);
+  EXPECT_EQ(wrong.err, "isotouch: the system starts no more threads; end other programs, or raise its limit of processes (ulimit -u)\n");
 }
 
 TEST(Run, WhatAFileHoldsMovesNoCursor) {

@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <mutex>
 #include <numeric>
 #include <set>
 #include <thread>
+#include <vector>
+
+#include "tests/support/no_more_threads.h"
 
 namespace isotouch::field {
 namespace {
@@ -61,6 +65,16 @@ TEST(InParallel, CoversEveryItemOnce) {
     EXPECT_EQ(std::accumulate(seen.begin(), seen.end(), 0), 1001);
     EXPECT_EQ(*std::max_element(seen.begin(), seen.end()), 1);
   }
+}
+
+TEST(InParallel, GoesOnWithTheThreadsThatItGets) {
+  const test::NoMoreThreads none;
+  const ThreadLimit limit(4);
+  std::vector<int> seen(1001, 0);
+  in_parallel(seen.size(), 10, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) ++seen[i];
+  });
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), 1001);
 }
 
 TEST(InParallel, FailsWithWhatACallThrew) {
