@@ -415,7 +415,8 @@ ISOTOUCH_API isotouch_status isotouch_controller_resume(isotouch_controller cont
 typedef int (*isotouch_on_tick)(void* user, const isotouch_felt* felt);
 
 /**
- * Follows the ticks, over a connection of its own: other calls with this handle may be made meanwhile, also in on_tick.
+ * Follows the ticks, over a connection of its own: other calls with this handle may be made meanwhile, also in on_tick. The controller closes this
+ * connection where an on_tick takes longer than 10 s.
  *
  * @param every    1 for every tick, 10 for one in ten; at least 1
  * @param ticks    how many ticks on_tick gets before the call returns
@@ -431,7 +432,7 @@ ISOTOUCH_API isotouch_status isotouch_controller_watch(isotouch_controller contr
                                                        isotouch_on_tick on_tick, void* user, uint64_t* lost);
 
 /**
- * Records ticks from now on as a trace that replays, over a connection of its own.
+ * Records ticks from now on as a trace that replays, over a connection of its own, which the controller closes as that of isotouch_controller_watch().
  *
  * @param ticks     how many, at least 1
  * @param path      of the trace file. If the recording ends early, the file holds the ticks until then; unless on_tick ended it, the call fails

@@ -168,7 +168,9 @@ void Connection::complain_of_the_end() {
                       " before the controller had answered; see its messages, and check that isotouchd is installed there");
     }
   }
-  throw LinkError(address_.text + ": the controller closed the connection; check whether it still runs");
+  throw LinkError(
+      address_.text +
+      ": the controller closed the connection; check whether it still runs; it also closes a client that reads nothing for 10 s");
 }
 
 }  // namespace isotouch::link

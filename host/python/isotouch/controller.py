@@ -71,7 +71,7 @@ class Controller(Handle):
 
         every     one tick of every so many
         on_tick   is called with each of them as it comes, and the array stays empty; what returns True ends the watching. What it raises ends it, too, and
-                  is raised here
+                  is raised here. The controller ends it where `on_tick` takes longer than 10 s
 
         Where it raises, also because the controller ends or at Ctrl-C, the exception has what came until then: `felt`, the array, and `lost`.
         """
@@ -98,7 +98,7 @@ class Controller(Handle):
         """Records ticks from now on as a trace that replays to the bit, and returns how many the file holds.
 
         on_tick   is called with each of them, numbered from 0; what returns True ends the recording after this tick. What it raises ends it, too, and is
-                  raised here, as is Ctrl-C: the file holds the ticks until then
+                  raised here, as is Ctrl-C: the file holds the ticks until then. The controller ends it where `on_tick` takes longer than 10 s
         """
         recorded = ctypes.c_uint64()
         wanted, file = whole(ticks, "ticks", _MOST_TICKS), path_bytes(path)
