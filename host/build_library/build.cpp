@@ -183,6 +183,7 @@ isotouch_status isotouch_build(size_t count, const double* points, const double*
     require_count(count, 3 * sizeof *points, "points");
     require_finite(required(points, "points"), 3 * count, "points");
     cloud::Model model;
+    model.is_array = true;
     model.positions = vectors(points, count);
     if (normals != nullptr) {
       require_finite(normals, 3 * count, "normals");

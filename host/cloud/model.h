@@ -41,11 +41,13 @@ struct Model {
   std::optional<ScanGrid> grid = {};      ///< of an organised scan without normals
   std::optional<std::size_t> edges = {};  ///< the normals come from the grid; points at edges that were left out for that
   Sensor sensor = {};
+  bool is_array = false;  ///< the caller's own: its points are counted from 0, as arrays count
   std::size_t incomplete =
       0;  ///< points left out because their coordinates or their normal are not finite, or because their normal is zero
 
-  /// "line 12" or "point 12", counted from 1.
+  /// "line 12" or "point 12", counted from 1; "point 11 (counted from 0)" of an array.
   std::string place(std::size_t point) const {
+    if (is_array) return "point " + std::to_string(point) + " (counted from 0)";
     return lines.empty() ? "point " + std::to_string(point + 1) : "line " + std::to_string(lines[point]);
   }
 };

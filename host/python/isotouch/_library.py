@@ -268,6 +268,19 @@ def real(value: float, name: str) -> float:
         raise ArgumentError(f"{name} is a whole number beyond 1e308; give a smaller one") from None
 
 
+def yes_or_no(value: bool, name: str) -> int:
+    """As C takes it. Raises ArgumentError."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise ArgumentError(f"{name} is {value!r} and must be True or False")
+    return int(value)
+
+
+def _has_masked(values: object) -> bool:
+    if isinstance(values, np.ma.MaskedArray):
+        return bool(np.any(values.mask))
+    return isinstance(values, (list, tuple)) and any(map(_has_masked, values))
+
+
 def reals(values: npt.ArrayLike, name: str, columns: int | None) -> Reals:
     """Values as C reads them.
 
@@ -280,7 +293,7 @@ def reals(values: npt.ArrayLike, name: str, columns: int | None) -> Reals:
         raise ArgumentError(f"{name} has rows of different lengths; give each row {columns or 1} numbers") from None
     if array.dtype.kind not in "fiu":
         raise ArgumentError(f"{name} holds values of type {array.dtype}, not real numbers; convert them to float64")
-    if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
+    if _has_masked(values):
         raise ArgumentError(f"{name} has masked values; fill them or leave them out")
     wanted = "a list of numbers" if columns is None else f"an array of shape (n, {columns})"
     if columns is not None and array.shape == (0,):

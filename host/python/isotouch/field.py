@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Self
 import numpy as np
 import numpy.typing as npt
 
-from isotouch._library import ArgumentError, CBuildOptions, CFieldFacts, Handle, Reals, build, call, check, path_bytes, real, reals, whole
+from isotouch._library import ArgumentError, CBuildOptions, CFieldFacts, Handle, Reals, build, call, check, path_bytes, real, reals, whole, yes_or_no
 from isotouch.touch import Felt, Settings, Touch
 
 if TYPE_CHECKING:   # a name for bytes, bytearray, memoryview and arrays that only a type checker knows
@@ -140,7 +140,7 @@ class Field(Handle):
         for name, value in (("stiffness_n_mm", stiffness_n_mm), ("voxel_mm", voxel_mm), ("band", band), ("fit_mm", fit_mm), ("mm_per_unit", mm_per_unit)):
             setattr(options, name, real(value, name))
         options.grid, options.threads = whole(grid, "grid", 2**32 - 1), whole(threads, "threads", 2**32 - 1)
-        options.interpolation, options.accept_implausible = _INTERPOLATIONS.index(interpolation), int(accept_implausible)
+        options.interpolation, options.accept_implausible = _INTERPOLATIONS.index(interpolation), yes_or_no(accept_implausible, "accept_implausible")
         if viewpoint is not None:
             place = reals(viewpoint, "viewpoint", None)
             if place.shape != (3,):

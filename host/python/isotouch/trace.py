@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 import os
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -72,7 +72,7 @@ def describe_trace(path: str | os.PathLike[str]) -> TraceFacts:
         return trace.facts()
 
 
-def load_trace(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> npt.NDArray[np.void]:
+def load_trace(path: str | os.PathLike[str], columns: Iterable[str] | None = None) -> npt.NDArray[np.void]:
     """A trace as a structured array, one element a tick.
 
     columns   their names, as `isotouch trace show --columns` knows them; None: all that this trace has
@@ -83,7 +83,8 @@ def load_trace(path: str | os.PathLike[str], columns: Sequence[str] | None = Non
     Raises DataError, ArgumentError for a column that nobody knows, and MissingError for one that this trace does not have.
     """
     known = _columns()
-    for name in columns or ():
+    wanted = None if columns is None else list(columns)
+    for name in wanted or ():
         if not isinstance(name, str) or name not in known:
             raise ArgumentError(f"no column is named {name!r}; choose among {', '.join(known)}")
     with _Trace(path) as trace:
@@ -92,11 +93,11 @@ def load_trace(path: str | os.PathLike[str], columns: Sequence[str] | None = Non
             warnings.warn(f"{os.fspath(path)!s}: the file is cut off; its {facts.ticks} whole ticks are returned", CutOffWarning, stacklevel=2)
         ticks = facts.ticks
         found: dict[str, npt.NDArray[np.generic]] = {}
-        for name in known if columns is None else columns:
+        for name in known if wanted is None else wanted:
             try:
                 found[name] = trace.column(name, known[name], ticks)
             except MissingError:
-                if columns is not None:
+                if wanted is not None:
                     raise
     table = np.zeros(ticks, np.dtype([(name, values.dtype) for name, values in found.items()]))
     for name, values in found.items():

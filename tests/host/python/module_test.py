@@ -111,6 +111,8 @@ class FieldTest(unittest.TestCase):
             "grid": {"grid": 4},
             "grid is -1": {"grid": -1},
             "interpolation": {"interpolation": "cubic"},
+            "accept_implausible is 'no'": {"accept_implausible": "no"},
+            "accept_implausible is 2": {"accept_implausible": 2},
             "viewpoint has 2 numbers": {"viewpoint": [0, 0]},
             "viewpoint: its three numbers must lie within ±1e100": {"viewpoint": [0, 0, 2e100]},
         }
@@ -118,6 +120,10 @@ class FieldTest(unittest.TestCase):
             with self.subTest(words), self.assertRaisesRegex(isotouch.ArgumentError, words):
                 arguments: dict[str, Any] = {"points": points, "normals": points / 25, **change}
                 isotouch.Field.build(**arguments)
+        longer = points / 25
+        longer[99] *= 3
+        with self.assertRaisesRegex(isotouch.DataError, r"^points: point 99 \(counted from 0\): the normal has length 3\.0"):
+            isotouch.Field.build(points, longer)
         with self.assertRaises(isotouch.DataError):
             isotouch.Field.build(points[:3], points[:3] / 25)
         with self.assertRaises(isotouch.DataError):
@@ -126,6 +132,17 @@ class FieldTest(unittest.TestCase):
     def test_masked_values_are_an_error(self) -> None:
         with self.assertRaisesRegex(isotouch.ArgumentError, "masked"):
             isotouch.Field.load(FIELD).sample(np.ma.MaskedArray([[0.0, 0, 0]], [[True, False, False]]))   # type: ignore[no-untyped-call]
+
+    def test_masked_values_within_lists_are_an_error(self) -> None:
+        row: Any = np.ma.MaskedArray([0.0, 0, 0], [True, False, False])   # type: ignore[no-untyped-call]
+        whole: Any = np.ma.MaskedArray([0.0, 0, 0], [False, False, False])   # type: ignore[no-untyped-call]
+        field = isotouch.Field.load(FIELD)
+        places: list[Any] = [[whole, row], (row,), [[0.0, 1.0, 2.0], [3.0, np.ma.masked, 4.0]]]
+        for wrong in places:
+            with self.subTest(wrong), warnings.catch_warnings(), self.assertRaisesRegex(isotouch.ArgumentError, "masked"):
+                warnings.simplefilter("ignore")   # numpy's own
+                field.sample(wrong)
+        self.assertEqual(field.sample([whole, [1.0, 2.0, 3.0]]).distance_mm.shape, (2,))
 
     def test_samples_of_single_precision_and_whole_numbers_are_those_of_doubles(self) -> None:
         field = isotouch.Field.load(FIELD)
@@ -247,6 +264,15 @@ class TraceTest(unittest.TestCase):
         self.assertEqual(some.dtype.names, ("force_y_n", "tick"))
         np.testing.assert_array_equal(some["force_y_n"], packets["force_y_n"])
         self.assertEqual(f"{packets['chain'][-1]:016x}", isotouch.describe_trace(GOLDEN / "packets.trace").replay_hash)
+
+    def test_names_of_columns_may_come_one_by_one(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "felt.trace"
+            field = isotouch.Field.load(FIELD)
+            field.touch(way_in(field, 10), save=file)
+            columns = isotouch.load_trace(file).dtype.names or ()
+            self.assertEqual(isotouch.load_trace(file, (name for name in columns[:3])).dtype.names, columns[:3])
+            self.assertEqual(isotouch.load_trace(file, []).dtype.names, ())
 
     def test_what_is_not_there_is_said(self) -> None:
         with self.assertRaisesRegex(isotouch.MissingError, "positions of a hand"):
