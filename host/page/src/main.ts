@@ -2,12 +2,12 @@
 import './style.css';
 import { BuildPanel } from './build_panel';
 import { showFacts, showLegend } from './captions';
+import { Controller } from './controller';
 import { Choice, element, make, say, toggle } from './dom';
 import { isExported } from './exported';
 import { bindKeys } from './keys';
-import { kSilentMs, Live } from './live';
 import { localSlice } from './local_slice';
-import type { Colours, Hello, Link, Message, SceneSummary, Words } from './messages';
+import type { Colours, Hello, Message, SceneSummary, Words } from './messages';
 import { Numbers } from './numbers';
 import { Player } from './player';
 import { Plots, type Data } from './plots';
@@ -19,7 +19,6 @@ import { SliceControl } from './slice_control';
 import { TouchPanel } from './touch_panel';
 
 const kMinShare = 5e-4; // of the surface: less is shown as 0.0 %
-const kFollowsMs = 5000; // within which the controller's field is drawn when it has another one
 const kGone = 410; // of the server: there is another object by now
 const kPieces = 1500; // of the curves of a recording
 const kWordsMs = 200; // between two sentences while a recording plays
@@ -29,7 +28,7 @@ class Page {
   private readonly server = new Server();
   private readonly canvas = element<HTMLCanvasElement>('canvas');
   private readonly plots = new Plots(element('plots'));
-  private readonly live = new Live();
+  private readonly controller = new Controller(this.plots, () => this.heard());
   private readonly player = new Player(() => this.changed());
   private readonly numbers = new Numbers(() => this.extraNumbers());
   private readonly sources = new Choice(element('sources'), (name) => this.use(name));
@@ -46,13 +45,6 @@ class Page {
   private touched: SceneSummary | null = null; // by the hand of this page, or soon
   private plottedAt = 0;
   private plotsLater: ReturnType<typeof setTimeout> | undefined;
-  private link: Link | null = null;
-  private silence: ReturnType<typeof setTimeout> | undefined;
-  private saysSilence = false; // no tick has come for a second
-  private liveField: string | null | undefined; // null: the controller has none; undefined: not known
-  private liveFieldSentence = ''; // why it cannot be drawn
-  private agreedAt = 0; // ms; what was drawn was what the controller had, or the newest that had come of it
-  private liveWords: Words[] = []; // may come before the view is made
   private wanted: SceneSummary | null = null; // the newest object that came and is not shown yet
   private opens = false;
   private askedWords = -1;
@@ -70,20 +62,13 @@ class Page {
     this.server.listen({
       message: (message) => this.message(message),
       ticks: (first, every, rows) => {
-        if (!this.reader || !this.link?.there) return; // of a controller that is gone
-        this.live.take(first, every, rows, this.reader);
-        this.awaitTicks();
-        if (this.source === 'live') this.changed();
+        if (this.controller.take(first, every, rows, this.reader) && this.source === 'live') this.changed();
       },
       connection: (sentence) => {
-        if (sentence !== '') {
-          this.link = null;
-          this.forgetLive();
-        }
+        if (sentence !== '') this.controller.forget();
         this.notice(sentence);
       },
     });
-    document.addEventListener('visibilitychange', () => this.awaitTicks());
   }
 
   private message(message: Message): void {
@@ -97,60 +82,16 @@ class Page {
       case 'build':
         this.build?.show(message);
         break;
-      case 'link':
-        if (message.period_ns !== undefined) this.live.period = message.period_ns * 1e-9;
-        this.link = message;
-        this.forgetLive();
-        this.sayLink(message.sentence, !message.there);
-        this.awaitTicks();
-        break;
-      case 'state':
-        if (this.link?.there) this.sayLive([message]);
-        break;
-      case 'status':
-        if (!this.link?.there) break; // of a controller that is gone
-        this.liveField = message.status.field_hash;
-        this.liveFieldSentence = message.field_sentence ?? '';
-        this.warnOfField();
-        this.plots.setHistograms(message.histograms_us.wakeup, message.histograms_us.tick);
-        break;
+      default:
+        this.controller.hear(message);
     }
   }
 
-  /** Nothing of a controller that is gone looks as if it were now. */
-  private forgetLive(): void {
-    this.live.clear();
-    clearTimeout(this.silence);
-    this.saysSilence = false;
-    this.liveField = undefined;
-    this.liveFieldSentence = '';
-    this.plots.clearHistograms();
-    this.sayLive([]);
+  /** There is something new of the controller. */
+  private heard(): void {
+    if (this.source === 'live') this.words(this.controller.words);
     this.warnOfField();
     this.changed();
-  }
-
-  private sayLink(sentence: string, bad: boolean): void {
-    element('link').classList.toggle('bad', bad);
-    say(element('link'), sentence);
-  }
-
-  /** Says so when no tick has come for a second. A page that is not seen gets none, because it shows none. */
-  private awaitTicks(): void {
-    clearTimeout(this.silence);
-    const link = this.link;
-    if (!link?.there || document.hidden) return;
-    if (this.saysSilence && !this.live.isSilent) {
-      this.saysSilence = false;
-      this.sayLink(link.sentence, false);
-      this.sayLive(this.liveWords);
-    }
-    this.silence = setTimeout(() => {
-      this.saysSilence = true;
-      if (this.source === 'live') this.words([]);
-      this.sayLink(`${link.sentence}, but has sent no tick for a second; see with isotouch status whether its loop runs`, true);
-      if (this.source === 'live') this.changed();
-    }, kSilentMs);
   }
 
   /** Comes again after each lost connection; what could not be opened is tried anew then. */
@@ -258,8 +199,7 @@ class Page {
       this.view.setScene(summary);
       this.slice?.setScene(summary);
       this.summary = summary;
-      this.agreedAt = performance.now();
-      if (summary.follows) this.liveFieldSentence = '';
+      this.controller.isDrawn(summary);
       this.warnOfField();
       this.sources.add('touch', 'Touch');
       if (this.source === 'touch') this.sources.choose('touch');
@@ -273,7 +213,7 @@ class Page {
 
   /** Whether what is drawn is what was, or is, felt. */
   private warnOfField(): void {
-    if (this.liveField === undefined || this.liveField === this.summary?.hash) this.agreedAt = performance.now();
+    const live = this.controller.warning(this.summary, this.wanted !== null || this.opens);
     const recorded = (): string => {
       const drawn = this.summary;
       if (!drawn) return '';
@@ -281,16 +221,7 @@ class Page {
       if (this.recordings.some(({ summary }) => isOther(summary.field))) return 'The hand felt another field than the one that is drawn.';
       return this.recordings.some(({ summary }) => summary.is_patched) ? 'The field changed while the hand felt it; it is drawn as it was in a part of the recording.' : '';
     };
-    say(element('field-warning'), this.source === 'recording' ? recorded() : this.source === 'live' ? this.liveWarning() : '');
-  }
-
-  private liveWarning(): string {
-    if (this.liveFieldSentence !== '') return this.liveFieldSentence;
-    if (!this.summary || this.liveField === undefined || this.liveField === this.summary.hash) return '';
-    const comes = this.wanted !== null || this.opens || performance.now() - this.agreedAt < kFollowsMs;
-    if (this.summary.follows && comes) return '';
-    if (this.liveField !== null) return 'The hand feels another field than the one that is drawn.';
-    return this.summary.follows ? 'The controller has no field any more; the one that is drawn was its last.' : '';
+    say(element('field-warning'), this.source === 'recording' ? recorded() : this.source === 'live' ? live : '');
   }
 
   /** Live, or recording. */
@@ -308,7 +239,7 @@ class Page {
     this.plots.make(names);
     this.plots.now = null;
     this.plots.marks = source === 'recording' ? this.player.marks() : [];
-    this.words(source === 'live' && !this.saysSilence ? this.liveWords : []);
+    this.words(source === 'live' ? this.controller.words : []);
     this.warnOfField();
     if (this.wanted) void this.openScene(this.wanted);
     if (source === 'recording') void this.plotRecordings();
@@ -386,7 +317,7 @@ class Page {
         if (tick || this.source !== 'recording') marks.clear(); // a recorded tick is on its way
         return;
       }
-      const running = this.source === 'live' ? this.live : this.source === 'touch' ? this.touch.touched : null;
+      const running = this.source === 'live' ? this.controller.live : this.source === 'touch' ? this.touch.touched : null;
       marks.setTrail(running ? running.trail(tick.tick) : (this.recordings[pane]?.trail(tick.tick) ?? []));
       marks.push(tick.hip);
       marks.show(tick);
@@ -400,7 +331,7 @@ class Page {
     this.plottedAt = now;
     this.numbers.show(ticks);
     if (this.source === 'live') {
-      this.plots.set(this.live.curves());
+      this.plots.set(this.controller.live.curves());
     } else if (this.source === 'touch') {
       this.plots.set(this.touch.touched.curves());
     } else if (this.source === 'recording') {
@@ -411,7 +342,7 @@ class Page {
   }
 
   private shownTicks(): (Tick | null)[] {
-    if (this.source === 'live') return [this.live.shown()];
+    if (this.source === 'live') return [this.controller.live.shown()];
     if (this.source === 'touch') return [this.touch.touched.newest];
     return this.recordings.map((recording) => recording.tick(this.player.tickOf(recording)));
   }
@@ -442,11 +373,6 @@ class Page {
     list.hidden = limits.length === 0;
   }
 
-  private sayLive(words: Words[]): void {
-    this.liveWords = words;
-    if (this.source === 'live' && !this.saysSilence) this.words(words);
-  }
-
   private notice(sentence: string): void {
     say(element('notice'), sentence);
   }
@@ -467,7 +393,7 @@ class Page {
     if (this.source !== 'live') return [];
     return [
       ['Pictures', `${this.pictures.shown.toFixed(0)} a second`],
-      ['Ticks not shown', `${Math.round(this.live.lost)}`],
+      ['Ticks not shown', `${Math.round(this.controller.live.lost)}`],
     ];
   }
 
