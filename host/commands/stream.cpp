@@ -211,16 +211,21 @@ std::string work(stream::Stream& stream, stream::Source source, const StreamingO
 }
 
 /// The same of frames: what was wrong with how many.
-std::string nothing_of_frames(const stream::Tally& all) {
+std::string nothing_of_frames(FrameSource kind, const stream::StreamReport& report) {
+  const stream::Tally& all = report.all;
+  std::string thinned;
+  if (report.thinned > 0) thinned = "; " + std::to_string(report.thinned) + " frames were left out because newer ones came";
+  if (report.thinned > 0 && kind == FrameSource::kInput) thinned += ", so use --every-frame";
+  if (report.thinned > 0 && kind == FrameSource::kFiles) thinned += ", so leave out --rate";
   return "no frame had points with normals within the box, so nothing was built: of " + std::to_string(all.frames) + " frames " +
          std::to_string(all.empty) + " were empty and " + std::to_string(all.unoriented) + " without normals, " +
-         std::to_string(all.points.outside) + " points lay outside the box, and " + std::to_string(all.points.useless) +
-         " had no normal; check the normals, --box and --units";
+         std::to_string(all.points.outside) + " points lay outside the box, and " + std::to_string(all.points.useless) + " had no normal" +
+         thinned + "; check the normals, --box and --units";
 }
 
 /// Why there is no field.
 std::string nothing_built(FrameSource kind, const StreamingOptions& options, const stream::StreamReport& report) {
-  if (kind != FrameSource::kRecording && kind != FrameSource::kController) return nothing_of_frames(report.all);
+  if (kind != FrameSource::kRecording && kind != FrameSource::kController) return nothing_of_frames(kind, report);
   const std::string& name = options.sources[0];
   if (report.all.points.outside > 0) return name + ": every touch was outside the box, so nothing was built; check --box";
   if (kind == FrameSource::kController && report.heard == 0)

@@ -11,7 +11,7 @@ bool Inbox::offer(Frame frame) {
     if (closed_) return false;
     ++offered_;
     if (waiting_) ++thinned_;
-    waiting_ = std::move(frame);
+    if (!waiting_ || !frame.is_empty) waiting_ = std::move(frame);
   }
   changed_.notify_all();
   return true;

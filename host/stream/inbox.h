@@ -1,5 +1,5 @@
-/// Between a source of frames and whoever works on them: room for one frame. A newer one takes the place of one that still waits, so what is worked on is
-/// never older than one frame's work, and memory does not grow.
+/// Between a source of frames and whoever works on them: room for one frame. A newer one takes the place of one that still waits, unless it is empty,
+/// so what is worked on is never older than one frame's work, and memory does not grow.
 #pragma once
 
 #include <chrono>
@@ -20,13 +20,14 @@ struct Frame {
   std::uint64_t number = 0;             ///< from 1
   std::function<cloud::Model()> read;   ///< its points; called once, by whoever works on it
   std::optional<Clock::time_point> at;  ///< when it arrived; a frame that may wait arrives when it is taken
+  bool is_empty = false;                ///< nothing was seen, as is known without reading it
 };
 
 class Inbox {
  public:
   // The source's side, a thread.
 
-  /// A frame of a source that does not wait: one that nobody took until now is left out. Its time is now.
+  /// A frame of a source that does not wait: one that nobody took until now is left out, or this one, where it is empty. Its time is now.
   ///
   /// returns   false: nobody takes any more
   bool offer(Frame frame);

@@ -36,12 +36,14 @@ Source standard_input(const cloud::SensorOptions& sensor, bool waits) {
     FrameReader reader("standard input", [&inbox](std::span<std::uint8_t> into) { return read_some(into, inbox); });
     try {
       while (auto bytes = reader.next()) {
+        const bool is_empty = bytes->empty();
         Frame frame{reader.count(),
                     [number = reader.count(), bytes = std::move(*bytes), sensor]() mutable {
                       if (bytes.empty()) return cloud::Model{};  // nothing was seen
                       return cloud::SourceFile("standard input: frame " + std::to_string(number), std::move(bytes), sensor).points();
                     },
-                    {}};
+                    {},
+                    is_empty};
         if (!(waits ? inbox.hand_over(std::move(frame)) : inbox.offer(std::move(frame)))) return;
       }
     } catch (const InputError&) {

@@ -28,6 +28,21 @@ TEST(Inbox, KeepsTheNewestOfTheFramesThatNobodyTook) {
   EXPECT_FALSE(inbox.is_finished());
 }
 
+TEST(Inbox, AnEmptyFrameTakesNobodysPlace) {
+  Inbox inbox;
+  Frame empty = frame(2);
+  empty.is_empty = true;
+  inbox.offer(frame(1));
+  EXPECT_TRUE(inbox.offer(empty));
+  EXPECT_EQ(inbox.thinned(), 1U);
+  EXPECT_EQ(inbox.take(0ms)->number, 1U);
+  inbox.offer(empty);
+  inbox.offer(frame(3));
+  EXPECT_EQ(inbox.take(0ms)->number, 3U);
+  EXPECT_EQ(inbox.offered(), 4U);
+  EXPECT_EQ(inbox.thinned(), 2U);
+}
+
 TEST(Inbox, HasRoomWhereNoFrameWaits) {
   Inbox inbox;
   EXPECT_TRUE(inbox.has_room());
