@@ -63,7 +63,7 @@ void print_summary(const stream::Stream& of, const std::string& field_hash, bool
   std::fprintf(to, "points        %zu taken, %zu not needed, %zu outside the box, %zu without a normal, %zu expired\n", all.points.taken,
                all.points.surplus, all.points.outside, all.points.useless, all.points.expired);
   if (report.lost > 0)
-    std::fprintf(to, "lost          %llu ticks of the hand, which the link was too slow for\n",
+    std::fprintf(to, "lost          %llu ticks of the hand, for which the link or the controller was too slow\n",
                  static_cast<unsigned long long>(report.lost));
   const auto& [scale, offset] = of.space().placement;
   std::fprintf(to, "transform     workspace mm = %.9g · input + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());

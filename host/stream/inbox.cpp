@@ -47,6 +47,11 @@ void Inbox::hear(std::uint64_t lost) {
   lost_ += lost;
 }
 
+void Inbox::lose(std::uint64_t ticks) {
+  const std::lock_guard hold(lock_);
+  lost_ += ticks;
+}
+
 bool Inbox::wait_until(Clock::time_point time) {
   std::unique_lock hold(lock_);
   return !changed_.wait_until(hold, time, [this] { return closed_; });

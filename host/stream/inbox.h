@@ -39,6 +39,8 @@ class Inbox {
   void miss(std::uint64_t frames);
   /// A tick of a hand arrived. That many before it did not, and nobody knows what they touched.
   void hear(std::uint64_t lost = 0);
+  /// That many of a hand arrived, and what they touched was left out.
+  void lose(std::uint64_t ticks);
   /// False at once when nobody takes any more.
   bool wait_until(Clock::time_point time);
   bool is_closed() const;

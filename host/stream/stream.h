@@ -45,10 +45,10 @@ struct Tally {
 /// Of a whole stream.
 struct StreamReport {
   Tally all;
-  std::uint64_t offered = 0, thinned = 0;                             ///< frames
-  std::uint64_t heard = 0;                                            ///< ticks of a hand
-  std::uint64_t lost = 0;                                             ///< ticks of another controller that did not arrive
-  std::uint64_t upload_bytes = 0;                                     ///< of the first field, packed
+  std::uint64_t offered = 0, thinned = 0;  ///< frames
+  std::uint64_t heard = 0;                 ///< ticks of a hand
+  std::uint64_t lost = 0;                  ///< ticks of another controller that did not arrive, or whose touches had no room
+  std::uint64_t upload_bytes = 0;          ///< of the first field, packed
   Classes read_ms{10}, grow_ms{10}, patch_ms{10}, controller_ms{10};  ///< the parts of the delay, behind the wait for the frame before
   Classes patch_bytes{0.01};
   double seconds = 0;

@@ -20,20 +20,27 @@ namespace isotouch::stream {
 
 namespace {
 
+constexpr double kMaxWaitS = 10;  // of ticks: their touches wait while the stream waits for its controller, and take at most some 600 kB
 constexpr double kLeastForce = 0.05;  // N, as `isotouch scan`: weaker touches have no direction worth keeping
 
 /// The points of a frame's ticks. Without a touch the hand may rest or be free: then the frame is empty.
 class Touches {
  public:
   /// As evaluate::TouchReader.
-  Touches(const std::string& name, const TickSettings& settings) : reader_(name, settings, kLeastForce) {}
+  ///
+  /// room      for that many touches until they are taken
+  Touches(const std::string& name, const TickSettings& settings, std::uint64_t room = std::numeric_limits<std::uint64_t>::max())
+      : reader_(name, settings, kLeastForce), room_(room) {}
 
-  void add(const TraceRecord& record) {
+  /// returns   false: it is a touch, and there was no room for it
+  bool add(const TraceRecord& record) {
     evaluate::Touch touch;
-    if (reader_.read(record, touch) != evaluate::TouchKind::kTouch) return;
+    if (reader_.read(record, touch) != evaluate::TouchKind::kTouch) return true;
     any_ = true;
+    if (model_.positions.size() >= room_) return false;
     model_.positions.push_back(touch.position);
     model_.normals.push_back(touch.normal);
+    return true;
   }
   /// As evaluate::TouchReader.
   void set(const TickSettings& settings) { reader_.set(settings); }
@@ -49,6 +56,7 @@ class Touches {
  private:
   evaluate::TouchReader reader_;
   cloud::Model model_;
+  std::uint64_t room_;
   std::uint64_t number_ = 0;
   bool any_ = false;
 };
@@ -81,7 +89,12 @@ Source recording(std::filesystem::path file, double rate, bool in_time) {
     Touches touches(file.string(), trace.header().settings);
     for (std::size_t tick = 0; tick < trace.size(); ++tick) {
       inbox.hear();
-      touches.add(trace.record(tick));
+      try {
+        (void)touches.add(trace.record(tick));
+      } catch (const InputError&) {
+        (void)inbox.hand_over(touches.frame());  // those before it are good
+        throw;
+      }
       const bool is_last = tick + 1 == trace.size();
       if ((tick + 1) % of_frame != 0 && !is_last) continue;
       if (in_time && !inbox.wait_until(
@@ -100,7 +113,7 @@ Source controller(std::string address, double rate) {
     const auto is_over = [&inbox] { return inbox.is_closed(); };
     link::Controller asked(address, {}, is_over), felt(address, {}, is_over);  // two, because one that is watched answers nothing else
     const std::uint64_t of_frame = ticks(rate, felt.welcome().period_ns);
-    Touches touches(address, settings_at(asked));
+    Touches touches(address, settings_at(asked), ticks(1 / kMaxWaitS, felt.welcome().period_ns));
     std::uint64_t next = 0;
     std::optional<std::uint64_t> follows;  // the tick that is expected
     bool is_sure = false;                  // every change of the settings was seen
@@ -112,15 +125,24 @@ Source controller(std::string address, double rate) {
       inbox.hear(lost);
       if (lost > 0) is_sure = false;
       follows = tick + 1;
-      touches.add(*record);
+      if (!touches.add(*record)) inbox.lose(1);
       if (tick < next || !inbox.has_room()) return;  // no touch comes twice, so those of a frame that cannot go yet stay for the next one
       if (!is_sure) touches.set(settings_at(asked));
       is_sure = true;
       next = tick + of_frame;
       (void)inbox.offer(touches.frame());
     };
-    const auto watched = felt.watch(1, std::numeric_limits<std::uint64_t>::max(), take, is_over);
-    if (is_sure) (void)inbox.hand_over(touches.frame());
+    const auto hand_over_rest = [&] {
+      if (is_sure) (void)inbox.hand_over(touches.frame());
+    };
+    link::Controller::Watched watched;
+    try {
+      watched = felt.watch(1, std::numeric_limits<std::uint64_t>::max(), take, is_over);
+    } catch (const InputError&) {
+      hand_over_rest();
+      throw;
+    }
+    hand_over_rest();
     if (!watched.ended.empty()) throw InputError(watched.ended);
   };
 }

@@ -19,9 +19,10 @@ using namespace std::chrono_literals;
 using protocol::Kind, test::Bytes, test::frame;
 
 /// A hand 1 mm below a plane, for that many ticks.
-Bytes records(std::uint64_t first_tick, std::size_t count) {
+Bytes records(std::uint64_t first_tick, std::size_t count, SettingChange change = {}) {
   TraceRecord record;
   record.input = position_input({{}, Mm::of(-1), {}});
+  record.input.change = change;
   record.output.hip = record.input.hip;
   record.output.force.y = Newton::of(0.5);
   record.output.status = kContact;
@@ -80,6 +81,25 @@ TEST(ControllerSource, TicksThatDoNotArriveAreCounted) {
   EXPECT_EQ(inbox.lost(), 10U + 7U);
 }
 
+/// The stream waits for its own controller, for up to minutes.
+TEST(ControllerSource, TouchesWaitForTenSecondsAtMost) {
+  constexpr std::size_t kBursts = 600, kBurst = 20, kRoom = 10'000;
+  Bytes ticks;
+  for (std::size_t burst = 0; burst < kBursts; ++burst) {
+    const Bytes more = records(100 + burst * kBurst, kBurst);
+    ticks.insert(ticks.end(), more.begin(), more.end());
+  }
+  const test::Scripted scripted(
+      {test::Scripted::says(welcome() + kFrictionless + kFrictionless), test::Scripted::says(welcome() + frame(Kind::kDone) + ticks)});
+  Inbox inbox;
+  const std::jthread thread = run(controller(scripted.address(), 30), inbox);
+  while (inbox.heard() < kBursts * kBurst) std::this_thread::sleep_for(1ms);
+  EXPECT_EQ(inbox.take(1s)->read().positions.size(), 1U) << "of the first tick";
+  EXPECT_EQ(inbox.take(10s)->read().positions.size(), kRoom);
+  EXPECT_EQ(inbox.lost(), kBursts * kBurst - 1 - kRoom);
+  inbox.close();
+}
+
 TEST(ControllerSource, FrictionIsRefused) {
   for (const char* different : {"feel.friction = 0.3\n", "feel.stiffness = 0.5\nfeel.friction_damping = 0.001\n"}) {
     Inbox inbox;
@@ -92,6 +112,19 @@ TEST(ControllerSource, FrictionThatWasSetBeforeTheFirstTickIsSeen) {
   Inbox inbox;
   EXPECT_NE(end_of(kFrictionless + kRough, test::Scripted::says(records(100, 20)), inbox).find("friction is set"), std::string::npos);
   EXPECT_EQ(inbox.offered(), 0U);
+}
+
+TEST(ControllerSource, TouchesBeforeFrictionWasSetAreGood) {
+  const test::Scripted scripted({test::Scripted::says(welcome() + kFrictionless + kFrictionless),
+                                 test::Scripted::says(welcome() + frame(Kind::kDone) + records(100, 20) +
+                                                      records(120, 1, {TickSetting::kFriction, rows::kFriction.raw(0.5)}))});
+  Inbox inbox;
+  const std::jthread thread = run(controller(scripted.address(), 30), inbox);
+  EXPECT_EQ(inbox.take(10s)->read().positions.size(), 1U) << "of the first tick";
+  const auto rest = inbox.take(10s);
+  ASSERT_TRUE(rest);
+  EXPECT_EQ(rest->read().positions.size(), 19U);
+  EXPECT_THROW(while (!inbox.is_finished())(void) inbox.take(1s), InputError);
 }
 
 TEST(ControllerSource, FrictionThatWasSetInALostTickIsSeen) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 
 #include "host/error.h"
 #include "host/stream/sources.h"
@@ -43,39 +44,45 @@ class RecordedTouches : public testing::Test {
     writer.finish();
     return file;
   }
-  /// The points of all its frames.
-  static std::size_t points(const std::filesystem::path& file) {
+  struct Seen {
+    std::size_t points = 0;  ///< of all its frames
+    std::string error;
+  };
+  static Seen seen(const std::filesystem::path& file) {
     Inbox inbox;
     const std::jthread thread = run(recording(file, 30, false), inbox);
-    struct Closed {
-      Inbox& inbox;
-      ~Closed() { inbox.close(); }
-    } const closed{inbox};
-    std::size_t count = 0;
-    while (!inbox.is_finished()) {
-      if (const auto frame = inbox.take(1s)) count += frame->read().positions.size();
-    }
-    return count;
-  }
-  static void refused(const char* why, const std::filesystem::path& file) {
+    Seen seen;
     try {
-      points(file);
-      ADD_FAILURE() << "accepted: " << why;
+      while (!inbox.is_finished()) {
+        if (const auto frame = inbox.take(1s)) seen.points += frame->read().positions.size();
+      }
     } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr(why));
+      seen.error = error.what();
     }
+    return seen;
+  }
+  /// fails     the points before the refusal are others
+  static void refused(const char* why, const std::filesystem::path& file, std::size_t points = 0) {
+    const Seen all = seen(file);
+    EXPECT_THAT(all.error, testing::HasSubstr(why));
+    EXPECT_EQ(all.points, points) << why;
   }
 
   ScratchFolder folder_;
   TraceHeader header_;
 };
 
-TEST_F(RecordedTouches, AllComeInFrames) { EXPECT_EQ(points(write()), kTicks); }
+TEST_F(RecordedTouches, AllComeInFrames) {
+  const Seen all = seen(write());
+  EXPECT_EQ(all.error, "");
+  EXPECT_EQ(all.points, kTicks);
+}
 
 TEST_F(RecordedTouches, FrictionIsRefused) {
   refused("friction is set", write([](std::uint64_t tick, TraceRecord& record) {
             if (tick == 200) record.input.change = {TickSetting::kFriction, rows::kFriction.raw(0.5)};
-          }));
+          }),
+          200);
   header_.settings.friction_damping = Damping::of(0.01);
   refused("friction_damping is set", write());
 }
