@@ -258,7 +258,12 @@ void run(StreamingOptions& options) {
     ended = error.what();
   }
   if (!stream.has_points()) throw InputError(nothing_built(kind, options, stream.report()));
-  close(stream, options);
+  try {
+    close(stream, options);
+  } catch (const InputError& error) {
+    if (ended.empty()) throw;
+    throw InputError(ended + "; " + error.what());
+  }
   if (!options.out.empty() && !ended.empty()) ended += "; " + options.out.string() + " holds the field as it was then";
   if (!ended.empty()) throw EndedEarly(ended);
 }
