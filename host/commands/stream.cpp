@@ -169,10 +169,16 @@ void close(stream::Stream& of, const StreamingOptions& options) {
     std::fprintf(stderr, "isotouch: the field may be wrong: %s\n", reason.c_str());
 }
 
+/// What the controller may lack; empty: nothing, or somebody replaced the field.
+std::string not_felt(const stream::Stream& stream) {
+  if (stream.is_felt() || stream.is_replaced()) return {};
+  return stream.report().upload_bytes > 0 ? "; the last frame may not be felt" : "; the controller confirmed nothing of this field";
+}
+
 /// Runs until the source ends, the time is over, or somebody wants an end.
 ///
 /// hand      the controller whose hand is the source; empty: none
-/// fails     InputError: as stream::Stream, but for a link to the controller that is cut once the stream is to end
+/// fails     InputError: as stream::Stream, but for a controller that is cut off, silent or refusing once the stream is to end
 /// returns   why the controller has not confirmed all that was taken when the stream was to end; empty: it has
 std::string work(stream::Stream& stream, stream::Source source, const StreamingOptions& options, const std::string& hand) {
   stream::Inbox inbox;
@@ -196,16 +202,18 @@ std::string work(stream::Stream& stream, stream::Source source, const StreamingO
     } const closed{inbox};
     stream.run(inbox);
     stream.finish();
-  } catch (const link::LinkError& error) {
-    if (!is_over()) throw;
+  } catch (const InputError& error) {
+    const bool is_cut = dynamic_cast<const link::LinkError*>(&error) != nullptr;
+    if (!is_over() || !(is_cut || stream.has_given_up())) throw;
     if (!options.stream.to.empty() && !stream.is_connected()) {
       throw InputError(options.stream.to + ": it had not answered when the " +
                        (interruption.has_come() ? "stream was interrupted; check whether it runs"
                                                 : "time of --seconds was over; give more seconds, or check whether it runs"));
     }
     if (stream.is_felt()) return {};  // what ends this program may end the ssh to the controller, too
-    const bool has_some = stream.report().upload_bytes > 0;
-    return error.what() + std::string(has_some ? "; the last frame may not be felt" : "; the controller confirmed nothing of this field");
+    const std::string silent = options.stream.to + ": the controller did not answer within " +
+                               std::to_string(stream::Stream::kGrace.count()) + " s at the end; check whether it runs, then stream again";
+    return (is_cut && stream.has_given_up() ? silent : error.what()) + not_felt(stream);
   }
   return {};
 }
@@ -254,8 +262,9 @@ void run(StreamingOptions& options) {
   try {
     ended = work(stream, std::move(source), options, kind == FrameSource::kController ? options.sources[0] : "");
   } catch (const InputError& error) {
-    if (!stream.has_points() || options.out.empty()) throw;
-    ended = error.what();
+    if (!stream.has_points()) throw;
+    ended = error.what() + not_felt(stream);
+    if (options.out.empty()) throw InputError(ended);
   }
   if (!stream.has_points()) throw InputError(nothing_built(kind, options, stream.report()));
   try {

@@ -16,6 +16,7 @@ void print_second(double now, std::uint64_t thinned, std::uint64_t lost, const s
   if (lost > 0) std::fprintf(stderr, ", %llu ticks of the hand lost", static_cast<unsigned long long>(lost));
   if (of.patches > 0) std::fprintf(stderr, ", %llu patches", static_cast<unsigned long long>(of.patches));
   if (delay.count > 0) std::fprintf(stderr, ", delay %.1f ms, at most %.1f ms", delay.median, delay.max);
+  if (of.refused_s > 0) std::fprintf(stderr, "; for %.1f s the controller refused a patch: %s", of.refused_s, of.refusal.c_str());
   if (!silent.empty()) std::fprintf(stderr, "; %s is silent", silent.c_str());
   if (of.unanswered) std::fprintf(stderr, "; still waiting for the controller");
   if (!fault.empty()) std::fprintf(stderr, "; the state is %s", fault.c_str());
@@ -40,6 +41,7 @@ nlohmann::ordered_json summary_json(const stream::Stream& of, const std::string&
             {"expired", all.points.expired},
             {"present", all.points.taken - all.points.expired}}},
           {"lost_ticks", report.lost},
+          {"refused_seconds", all.refused_s},
           {"upload_bytes", report.upload_bytes},
           {"patches", all.patches},
           {"patch_bytes", quantiles_json(report.patch_bytes.quantiles())},
@@ -77,6 +79,7 @@ void print_summary(const stream::Stream& of, const std::string& field_hash, bool
                  bytes.p99);
     std::fprintf(to, "delay         %.1f ms from a frame to the hand, 99 %% at most %.1f ms, the longest %.1f ms\n", delay.median,
                  delay.p99, delay.max);
+    if (all.refused_s > 0) std::fprintf(to, "refused       patches for %.1f s, which the delay counts\n", all.refused_s);
   }
   std::fprintf(to, "field         hash %s\n", field_hash.c_str());
 }

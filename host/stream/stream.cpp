@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <thread>
 #include <utility>
 
 #include "host/error.h"
 #include "host/field_file/packed.h"
+#include "host/link/link_error.h"
 #include "host/link/status.h"
 #include "host/live/face_sensor.h"
 
@@ -54,10 +56,16 @@ bool Stream::gives_up() {
     second_.unanswered = true;
     report_second();
   }
+  return is_too_late(asked_);
+}
+
+/// Is the stream over, and what the controller gets for what it was asked then, too?
+bool Stream::is_too_late(Clock::time_point asked) {
   if (!watch_.is_over()) return false;
   const Clock::time_point now = Clock::now();
   if (!over_) over_ = now;
-  return now - std::max(*over_, asked_) >= kGrace;
+  has_given_up_ = now - std::max(*over_, asked) >= kGrace;
+  return has_given_up_;
 }
 
 void Stream::report_second() {
@@ -107,6 +115,7 @@ void Stream::run(Inbox& inbox) {
     }
   } catch (...) {
     finish_field();
+    finish_after_error();
     throw;
   }
   finish_field();
@@ -161,7 +170,7 @@ void Stream::send() {
   try {
     felt_ ? patch() : upload();
   } catch (const InputError&) {
-    explain_refusal();
+    has_failed_ = true;
     throw;
   }
 }
@@ -183,8 +192,12 @@ void Stream::patch() {
   const std::vector<std::uint8_t> patch = field_->keep_patch();
   if (patch.empty()) return;
   report_.patch_ms.add(ms_since(begin));
-  asked_ = Clock::now();
-  felt_ = controller_->patch(patch).image_hash;
+  const protocol::Accepted accepted = send_patch(patch);
+  if (accepted.image_hash != field_->kept_hash()) {
+    is_replaced_ = true;
+    throw InputError(options_.to + ": another field was taken over meanwhile; stream again");
+  }
+  felt_ = accepted.image_hash;
   report_.controller_ms.add(ms_since(asked_));
   report_.patch_bytes.add(static_cast<double>(patch.size()));
   for (Tally* tally : {&report_.all, &second_}) {
@@ -193,18 +206,40 @@ void Stream::patch() {
   }
 }
 
+/// Sends it again as long as it is refused and may still be taken over: whoever is in the way may go without another field.
+///
+/// fails     InputError: the last refusal; somebody replaced the field; LinkError
+protocol::Accepted Stream::send_patch(std::span<const std::uint8_t> patch) {
+  constexpr auto kTriesEvery = 50ms;
+  for (const Clock::time_point begin = Clock::now();;) {
+    const Clock::time_point tried = asked_ = Clock::now();
+    try {
+      return controller_->patch(patch);
+    } catch (const link::LinkError&) {
+      throw;
+    } catch (const InputError& refusal) {
+      if (!is_still_own() || tried - begin >= options_.patience || is_too_late(begin)) throw;
+      second_.refusal = refusal.what();
+    }
+    std::this_thread::sleep_for(kTriesEvery);
+    for (Tally* tally : {&report_.all, &second_}) tally->refused_s += ms_since(tried) / 1e3;
+    if (is_due()) report_second();
+  }
+}
+
 /// The field of somebody else is no error of this program, and is not replaced.
 ///
+/// returns   false: the controller is gone
 /// fails     InputError: there is such a field
-void Stream::explain_refusal() {
-  if (!felt_) return;
+bool Stream::is_still_own() {
   try {
     asked_ = Clock::now();
     status_ = controller_->status();
   } catch (const InputError&) {
-    return;  // it is gone
+    return false;
   }
   require_own_field();
+  return true;
 }
 
 void Stream::ask_status() {
@@ -224,6 +259,15 @@ void Stream::require_own_field() {
 
 bool Stream::is_felt() const {
   return !controller_ || !has_points() || (felt_ == field_->kept_hash() && !field_->has_changed() && !is_replaced_);
+}
+
+/// What the controller lacks was taken before the error, which counts whatever becomes of this.
+void Stream::finish_after_error() {
+  if (!has_points() || has_failed_ || is_replaced_) return;
+  try {
+    finish();
+  } catch (const InputError&) {  // is_felt says so
+  }
 }
 
 void Stream::finish() {

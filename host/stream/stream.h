@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "host/cloud/source_file.h"
@@ -29,6 +30,9 @@ struct StreamOptions {
   std::optional<Clock::duration> keep = {};             ///< how long a point counts
   std::uint32_t enough = 0;                             ///< so many points of a bucket count; 0: all
   std::function<void(const FieldView&)> on_first = {};  ///< called before the first field is sent
+  /// How long a patch that the controller refuses is sent again, as long as nobody replaced the field: another client may send one that is refused in turn,
+  /// or have the arms measured.
+  Clock::duration patience = std::chrono::seconds(60);
 };
 
 /// Counts since some time.
@@ -39,6 +43,8 @@ struct Tally {
   PointCounts points;
   std::uint64_t patches = 0, patch_bytes = 0;
   Classes delay_ms{10};     ///< from the arrival of a frame until the controller has confirmed its patch
+  double refused_s = 0;     ///< in which the controller refused a patch that was sent again
+  std::string refusal;      ///< the last of these
   bool unanswered = false;  ///< the controller was waited for when that time ended
 };
 
@@ -76,7 +82,7 @@ class Stream {
   /// Works until there are no more frames.
   ///
   /// fails     InputError: what the source fails with, a frame that cannot be read, a controller that refuses; LinkError: one that is gone.
-  ///           What the field held before it still holds
+  ///           What the field held before it still holds. Behind an error of the source it is finished, as far as the controller lets it: see `is_felt`
   void run(Inbox& inbox);
   /// Sends what has not been sent, if anything, and looks whether the controller has it.
   ///
@@ -85,6 +91,10 @@ class Stream {
 
   /// Has the controller confirmed all that was taken, as far as is known? True where nothing was taken.
   bool is_felt() const;
+  /// Was the stream over, and the controller silent or refusing until its time was up, too?
+  bool has_given_up() const { return has_given_up_; }
+  /// Did somebody load another field?
+  bool is_replaced() const { return is_replaced_; }
   /// Has any point come into the field? It may have gone again.
   bool has_points() const { return report_.all.points.taken > 0; }
   /// Nothing before the first frame that shows where the field lies.
@@ -104,10 +114,13 @@ class Stream {
   void send();
   void upload();
   void patch();
+  protocol::Accepted send_patch(std::span<const std::uint8_t> patch);
+  void finish_after_error();
   bool is_due() const;
   bool gives_up();
+  bool is_too_late(Clock::time_point asked);
   void report_second();
-  void explain_refusal();
+  bool is_still_own();
   void ask_status();
   void require_own_field();
 
@@ -119,6 +132,8 @@ class Stream {
   std::optional<GrowingField> field_;
   std::optional<std::uint64_t> felt_;  ///< hash of the field that the controller has from here
   bool is_replaced_ = false;           ///< somebody loaded another one
+  bool has_failed_ = false;            ///< what is kept was not taken over
+  bool has_given_up_ = false;
   StreamReport report_;
   Tally second_;
   Watch watch_;

@@ -9,8 +9,12 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <limits>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -40,6 +44,7 @@ class Taker {
   std::atomic<std::uint16_t> faults = 0;          ///< in its status
   std::atomic<std::uint64_t> accepted_wrong = 0;  ///< bits of the hash that it answers to an upload, and that are not those of the field
   std::atomic<bool> is_replaced = false;          ///< in its status: another field
+  std::atomic<int> refusals = 0;                  ///< that many patches are refused from here
 
  private:
   void serve(int client) {
@@ -70,7 +75,16 @@ class Taker {
         return frame(Kind::kDeviceReport, device);
       }
       case Kind::kBegin: is_patch_ = false, hash_ = protocol::decode<protocol::Begin>(asked.body)->image_hash; break;
-      case Kind::kBeginPatch: is_patch_ = true; break;
+      case Kind::kBeginPatch: {
+        if (refusals > 0) {
+          --refusals;
+          static constexpr std::string_view kWhy = "somebody is in the way; try again";
+          return frame(Kind::kRefused, protocol::Refusal{static_cast<std::uint8_t>(asked.kind),
+                                                         {reinterpret_cast<const std::uint8_t*>(kWhy.data()), kWhy.size()}});
+        }
+        is_patch_ = true;
+        break;
+      }
       case Kind::kChunk: {
         const auto bytes = protocol::decode<protocol::Chunk>(asked.body)->bytes;
         upload_.insert(upload_.end(), bytes.begin(), bytes.end());
@@ -193,6 +207,20 @@ TEST(Stream, AnotherFieldThatWasTakenOverInsteadIsAnError) {
   EXPECT_FALSE(stream.is_felt());
 }
 
+/// The same of a patch.
+TEST(Stream, AnotherFieldThatWasTakenOverInsteadOfAPatchIsAnError) {
+  std::function<void(int)> on_patch;
+  Taker taker([&](int number) { on_patch(number); });
+  on_patch = [&](int) { taker.accepted_wrong = 1; };
+  Stream stream(options_to(taker.address()));
+  stream.connect({.is_over = [] { return false; }, .second = [](const Tally&) {}});
+  Inbox inbox;
+  const std::jthread frames = two_frames(inbox);
+  EXPECT_THAT([&] { stream.run(inbox); }, ThrowsMessage<InputError>(HasSubstr("another field was taken over meanwhile")));
+  EXPECT_EQ(taker.patches(), 1);
+  EXPECT_FALSE(stream.is_felt());
+}
+
 TEST(Stream, AFieldThatSomebodyReplacedIsNotFelt) {
   Taker taker([](int) {});
   Stream stream(options_to(taker.address()));
@@ -206,6 +234,124 @@ TEST(Stream, AFieldThatSomebodyReplacedIsNotFelt) {
   taker.is_replaced = true;
   EXPECT_THAT([&] { stream.finish(); }, ThrowsMessage<InputError>(HasSubstr("another field was loaded while this one grew")));
   EXPECT_FALSE(stream.is_felt());
+}
+
+/// What was taken before is felt all the same: also what waits.
+TEST(Stream, WhatCameBeforeAnErrorOfItsSourceIsFelt) {
+  const Taker taker([](int) {});
+  Stream stream(options_to(taker.address()));
+  stream.connect({.is_over = [] { return false; }, .second = [](const Tally&) {}});
+  Inbox inbox;
+  const std::jthread frames([&inbox] {
+    for (const int number : {0, 1}) inbox.hand_over(frame_of([number] { return sphere(number); }));
+    inbox.hand_over(frame_of([]() -> cloud::Model { throw InputError("the frame is broken"); }));
+  });
+  EXPECT_THAT([&] { stream.run(inbox); }, ThrowsMessage<InputError>(HasSubstr("the frame is broken")));
+  EXPECT_TRUE(stream.is_felt());
+  EXPECT_GE(taker.patches(), 2) << "of the second frame, and of what waited";
+}
+
+TEST(Stream, APatchThatIsRefusedForAWhileIsSentAgain) {
+  Taker taker([](int) {});
+  taker.refusals = 30;
+  Stream stream(options_to(taker.address()));
+  std::string seen;
+  stream.connect({.is_over = [] { return false; },
+                  .second =
+                      [&](const Tally& second) {
+                        if (second.refused_s > 0) seen += second.refusal;
+                      }});
+  Inbox inbox;
+  const std::jthread frames([&inbox] {
+    for (const int number : {0, 1}) inbox.hand_over(frame_of([number] { return sphere(number); }));
+    inbox.finish();
+  });
+  stream.run(inbox);
+  stream.finish();
+  EXPECT_TRUE(stream.is_felt());
+  EXPECT_EQ(taker.refusals, 0);
+  EXPECT_THAT(seen, HasSubstr("somebody is in the way"));
+  const Tally& all = stream.report().all;
+  EXPECT_GE(all.refused_s, 30 * 0.05);
+  EXPECT_GE(all.delay_ms.quantiles().max, all.refused_s * 1e3) << "the frame was felt that late";
+  EXPECT_LT(stream.report().controller_ms.quantiles().max, all.refused_s * 1e3) << "the controller did not work meanwhile";
+}
+
+TEST(Stream, APatchThatIsRefusedForLongIsAnError) {
+  Taker taker([](int) {});
+  taker.refusals = std::numeric_limits<int>::max();
+  StreamOptions options = options_to(taker.address());
+  options.patience = 200ms;
+  Stream stream(options);
+  stream.connect({.is_over = [] { return false; }, .second = [](const Tally&) {}});
+  Inbox inbox;
+  const std::jthread frames = two_frames(inbox);
+  EXPECT_THAT([&] { stream.run(inbox); }, ThrowsMessage<InputError>(HasSubstr("somebody is in the way")));
+  EXPECT_FALSE(stream.is_felt());
+  EXPECT_FALSE(stream.has_given_up());
+  EXPECT_GE(stream.report().all.refused_s, 0.2);
+}
+
+/// Nobody waits for as long as the patience then.
+TEST(Stream, APatchThatIsRefusedWhenTheStreamIsOverIsGivenUp) {
+  std::atomic<bool> is_over = false;
+  Taker taker([](int) {});
+  taker.refusals = std::numeric_limits<int>::max();
+  Stream stream(options_to(taker.address()));
+  stream.connect({.is_over = [&] { return is_over.load(); }, .second = [](const Tally&) {}});
+  Inbox inbox;
+  const std::jthread frames = two_frames(inbox);
+  const std::jthread end([&] {
+    while (taker.refusals > std::numeric_limits<int>::max() - 2 && !inbox.is_closed()) std::this_thread::sleep_for(1ms);
+    is_over = true;
+  });
+  EXPECT_THAT([&] { stream.run(inbox); }, ThrowsMessage<InputError>(HasSubstr("somebody is in the way")));
+  EXPECT_TRUE(stream.has_given_up());
+  EXPECT_FALSE(stream.is_felt());
+}
+
+TEST(Stream, WhoeverIsInTheWayMayReplaceTheField) {
+  Taker taker([](int) {});
+  taker.refusals = std::numeric_limits<int>::max();
+  Stream stream(options_to(taker.address()));
+  stream.connect({.is_over = [] { return false; }, .second = [](const Tally&) {}});
+  Inbox inbox;
+  const std::jthread frames = two_frames(inbox);
+  const std::jthread other([&] {
+    while (taker.refusals > std::numeric_limits<int>::max() - 2 && !inbox.is_closed()) std::this_thread::sleep_for(1ms);
+    taker.is_replaced = true;
+  });
+  EXPECT_THAT([&] { stream.run(inbox); }, ThrowsMessage<InputError>(HasSubstr("another field was loaded while this one grew")));
+  EXPECT_TRUE(stream.is_replaced());
+}
+
+/// A frame that nobody keeps leaves nothing behind, whatever the band.
+TEST(Stream, AFieldOfAnyBandIsThatOfTheFramesThatAreKept) {
+  const auto streamed = [](double band, std::optional<Clock::duration> keep, std::initializer_list<int> numbers) {
+    StreamOptions options = options_to("");
+    options.space.grid = 48;
+    options.space.band = band;
+    options.keep = keep;
+    options.enough = 0;
+    Stream stream(options);
+    stream.connect({.is_over = [] { return false; }, .second = [](const Tally&) {}});
+    Inbox inbox;
+    const std::jthread frames([&] {
+      for (const int number : numbers) inbox.hand_over(frame_of([number] { return sphere(number); }));
+      inbox.finish();
+    });
+    stream.run(inbox);
+    EXPECT_EQ(stream.report().all.points.expired > 0, numbers.size() > 1);
+    const auto image = stream.whole().view.image;
+    return Bytes(image.begin(), image.end());
+  };
+  Bytes before;
+  for (const double band : {1.0, 1.5, 3.0, 5.75, 7.99}) {
+    const Bytes alone = streamed(band, {}, {9});
+    EXPECT_EQ(streamed(band, 1ns, {0, 4, 9}), alone) << band;
+    EXPECT_GT(alone.size(), before.size()) << "a wider band is stored in more bricks: " << band;
+    before = alone;
+  }
 }
 
 /// The first frame shows a part of the object.
