@@ -30,6 +30,12 @@ NumberedTraces::NumberedTraces(const std::string& name) {
   std::sort(whole_.begin(), whole_.end());
 }
 
+std::string NumberedTraces::next() const {
+  std::size_t number = highest_ + 1;
+  while (access(numbered(number).c_str(), F_OK) == 0) ++number;
+  return numbered(number);
+}
+
 void NumberedTraces::forget_oldest(std::size_t most) const {
   for (std::size_t i = 0; i + most < whole_.size(); ++i) unlink(numbered(whole_[i]).c_str());
 }

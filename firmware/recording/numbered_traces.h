@@ -15,7 +15,8 @@ class NumberedTraces {
   explicit NumberedTraces(const std::string& name);
 
   /// The name with the number above every one that is in use: by a trace, by what a kill left of one, or by patches.
-  std::string next() const { return numbered(highest_ + 1); }
+  /// If nobody may look which there are, it is at least free.
+  std::string next() const;
 
   /// Removes the oldest traces.
   ///

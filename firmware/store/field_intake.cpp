@@ -73,7 +73,7 @@ IntakeOutcome FieldIntake::select(std::uint64_t wanted, std::uint32_t author) {
   if (store_ == nullptr) return {"this controller stores no fields; upload one, or start it with a state folder", {}};
   const Before before = store_before(wanted);
   const StoreResult<std::size_t> bytes = store_->read(wanted, upload_);
-  if (!bytes && bytes.error() == StoreError::kNotFound) return {"no field of this hash is stored; list them with: isotouch fields", {}};
+  if (!bytes && bytes.error() == StoreError::kNotFound) return {"no field of this hash is stored; list them with: isotouchctl fields", {}};
   if (!bytes) return {std::string("the stored field cannot be read: ") + describe(bytes.error()) + "; upload it again", {}};
   Refusal refusal = unpack(std::span(upload_).first(*bytes), wanted);
   if (!refusal) {

@@ -39,7 +39,7 @@ void run(const RecordOptions& options) {
   const auto ticks = static_cast<std::uint64_t>(std::max(1.0, std::round(options.seconds / std::max(period, 1e-4))));
   const auto refuse = [&](const char* what) { return InputError(options.to + ": " + what + "; install the same release on both sides"); };
   if (const protocol::StatusReport status = controller.status(); status.faults != 0)
-    std::fprintf(stderr, "isotouch: %s: the recording will hold no force; the state is %s\n", options.to.c_str(),
+    std::fprintf(stderr, "%s: %s: the recording will hold no force; the state is %s\n", link::tool_name().c_str(), options.to.c_str(),
                  link::sentence(status, controller.device()).c_str());
   std::optional<trace::TraceWriter> writer;
   std::uint64_t taken = 0;

@@ -130,10 +130,10 @@ struct Neighbourhood {
     for (const BlendCandidate& c : candidates) {
       const Point own = c.own - shift;
       Rows away;
-      bool nearer = false;  // at a place, than the last of those before it
+      bool nearer = false;  // at a place, than the last of those before it, or as near
       for (std::size_t r = 0; r < kRows; ++r) {
         away[r] = (row_of_block(r) - own).squared_length();
-        nearer = nearer || any(away[r] < least[r].back());
+        nearer = nearer || any(away[r] <= least[r].back());
       }
       if (!nearer) continue;
       for (std::size_t r = 0; r < kRows; ++r) keep_least(least[r], away[r]);

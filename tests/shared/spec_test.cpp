@@ -145,8 +145,8 @@ TEST(Spec, EveryFieldOfATraceStandsWhereTheCodeHasIt) {
         << kFieldsAt + field.offset << " " << field.size << " " << field.name;
   }
   EXPECT_EQ(fields, kPositionFields.count + kPacketFields.count + 7);
-  EXPECT_TRUE(holds_line(trace, 4, 2, "major")) << "with version " << kMajor;
-  EXPECT_NE(trace.find("## 3. Trace, version " + std::to_string(kMajor)), std::string::npos);
+  EXPECT_TRUE(holds_line(trace, 4, 2, "major")) << "with version " << trace_layout::kMajor;
+  EXPECT_NE(trace.find("## 3. Trace, version " + std::to_string(trace_layout::kMajor)), std::string::npos);
   const std::string prose = std::regex_replace(trace, std::regex(R"(\s+)"), " ");  // wherever its lines break
   EXPECT_NE(prose.find("bytes 0 to " + std::to_string(kChainAt - 1) + " of record n"), std::string::npos);
   EXPECT_NE(prose.find("bytes " + std::to_string(kHeaderChainAt) + " to " + std::to_string(kHeaderChainAt + kHeaderChainBytes - 1) +

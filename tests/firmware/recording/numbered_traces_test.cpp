@@ -30,6 +30,13 @@ TEST(NumberedTraces, TheNextNumberIsAboveEveryOneInUse) {
   EXPECT_EQ(NumberedTraces(name).next(), in + "r-100.trace");
 }
 
+TEST(NumberedTraces, BehindTheLargestNumberAFreeOneComes) {
+  const ScratchFolder folder;
+  const std::string in = folder.path().string() + "/", name = in + "r.trace";
+  for (const char* other : {"r-18446744073709551615.trace", "r-0.trace", "r-1.trace"}) std::ofstream(in + other) << "in use";
+  EXPECT_EQ(NumberedTraces(name).next(), in + "r-2.trace");
+}
+
 TEST(NumberedTraces, AnyNameHasNumbers) {
   const ScratchFolder folder;
   const std::filesystem::path before = std::filesystem::current_path();

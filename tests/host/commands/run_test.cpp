@@ -116,7 +116,7 @@ TEST(Run, WhatAFileHoldsMovesNoCursor) {
   EXPECT_THAT(wrong.err, testing::HasSubstr("no column is called 't_s', there are: ?[2J?owned x_mm;"));
 }
 
-TEST(Run, CommandsStandByTaskAndAnswerToTheirOlderNames) {
+TEST(Run, CommandsStandByTaskWithTheNamesOfTheirValues) {
   const Answer help = answer({"--help"});
   EXPECT_EQ(help.code, 0);
   EXPECT_THAT(help.out, testing::HasSubstr("Build and judge a field:"));

@@ -149,6 +149,25 @@ TEST(BlendBody, WhereTheNearestAreEquallyFarNoOtherCounts) {
   EXPECT_NE(ten.distance, nine.distance);
 }
 
+TEST(BlendBody, OfTheNearestThatAreEquallyFarNoneIsLost) {
+  Numbers number;
+  // Ten are 5 from the brick's first place; the last of them stands behind a sample that lies beyond the influence but is nearer to other places.
+  const float far[][3] = {{5, 0, 0}, {0, 5, 0}, {0, 0, 5}, {3, 4, 0}, {4, 3, 0}, {3, 0, 4}, {4, 0, 3}, {0, 3, 4}, {-4, 0, 3}, {-3, -4, 0}};
+  Surroundings around(number, 71, 5.0F);
+  for (std::size_t n = 0; n < 10; ++n) around.candidates[n].own = {far[n][0] - 1.5F, far[n][1] - 1.5F, far[n][2] - 1.5F};
+  for (std::size_t n = 10; n < 71; ++n) {  // the others are nearer to the other places
+    BrickBlend::Point& own = around.candidates[n].own;
+    do own = {1.25F + 2.75F * number(), 1.25F + 2.75F * number(), 1.25F + 2.75F * number()};
+    while (std::hypot(own.x + 1.5F, own.y + 1.5F, own.z + 1.5F) < 5.05F);
+  }
+  const BlendCandidate beyond = {around.candidates.back().model, {-1.766F, -5.3F, -5.3F}};
+  around.candidates.pop_back();
+  const BrickReading without = around.blend();
+  ASSERT_GT(std::hypot(beyond.own.x, beyond.own.y, beyond.own.z), std::sqrt(without.influence));
+  around.candidates.insert(around.candidates.begin() + 9, beyond);
+  EXPECT_EQ(around.blend().distance, without.distance);
+}
+
 TEST(BlendBody, WithoutASampleInReachThereIsNoBody) {
   Numbers number;
   for (int hundredths = 100; hundredths < 800; ++hundredths) {
