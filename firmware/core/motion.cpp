@@ -9,7 +9,7 @@ namespace isotouch::core {
 
 namespace {
 
-constexpr std::uint32_t kMaxTicks = 8;
+constexpr std::uint8_t kMaxTicks = 8;
 constexpr std::array<Ratio, kMaxTicks + 1> kParts = {Ratio::of(1),    Ratio::of(1),   Ratio::of(0.5),          Ratio::of(0.3333333333),
                                                      Ratio::of(0.25), Ratio::of(0.2), Ratio::of(0.1666666667), Ratio::of(0.1428571429),
                                                      Ratio::of(0.125)};
@@ -19,7 +19,7 @@ constexpr MmPerS quarter(MmPerS whole) { return MmPerS::from_raw((whole.raw() >>
 
 /// Moves a track on by one tick.
 void follow(const Vec3<Mm>& point, bool fresh, PerSecond rate, Track& track) {
-  track.ticks = std::min(track.ticks + 1, kMaxTicks);
+  if (track.ticks < kMaxTicks) ++track.ticks;
   if (!fresh) return;
   if (track.has_last) {
     const Vec3<MmPerS> now = mul<MmPerS>(part_of(point - track.last, kParts[track.ticks]), rate);
@@ -33,8 +33,8 @@ void follow(const Vec3<Mm>& point, bool fresh, PerSecond rate, Track& track) {
 
 /// Is the HIP further from its last fresh sample than a hand moves in the ticks since?
 bool is_leap(const Vec3<Mm>& hip, bool fresh, Mm largest_move, const Track& track) {
-  const std::uint32_t ticks = std::min(track.ticks + 1, kMaxTicks);
-  const auto most = Mm::from_raw(largest_move.raw() * static_cast<std::int32_t>(ticks));  // at most 800 mm
+  const int ticks = std::min(track.ticks + 1, int{kMaxTicks});
+  const auto most = Mm::from_raw(largest_move.raw() * ticks);  // at most 800 mm
   return fresh && track.has_last && is_longer(hip - track.last, most);
 }
 

@@ -31,7 +31,7 @@ MotionModel make_motion_model(const DeviceModel& device, std::uint32_t period_ns
 struct Track {
   Vec3<Mm> last;  ///< at the last fresh sample
   Vec3<MmPerS> velocity;
-  std::uint32_t ticks = 0;  ///< since `last`
+  std::uint8_t ticks = 0;  ///< since `last`
   bool has_last = false;
 };
 

@@ -32,7 +32,6 @@ Damping injected_damping(const Passivity& passivity, const PassivityState& state
 
 void forget(PassivityState& state) {
   state.balance = {};
-  state.injected = {};
   state.tick = 0;
   state.begun = false;
 }
@@ -48,10 +47,9 @@ void book_energy(const Vec3<Mm>& way, const Force& force, const Vec3<Newton>& in
     state.balance = std::min(state.balance + brought - (stored - state.stored), kMaxSurplus);
   }
   const auto half = [](Newton f) { return Newton::from_raw(f.raw() >> 1); };
-  state.injected = injected;
   state.stored = stored;
   state.begun = true;
-  state.tick = state.tick < 2 * PassivityState::kForces - 1 ? state.tick + 1 : PassivityState::kForces;
+  state.tick = static_cast<std::uint8_t>(state.tick < 2 * PassivityState::kForces - 1 ? state.tick + 1 : PassivityState::kForces);
   state.forces[state.tick & (PassivityState::kForces - 1)] =
       force.newton - Vec3<Newton>{half(injected.x), half(injected.y), half(injected.z)};
 }

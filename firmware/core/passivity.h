@@ -52,8 +52,7 @@ struct PassivityState {
   Energy balance;
   Energy stored;                               ///< in the spring
   std::array<Vec3<Newton>, kForces> forces{};  ///< commanded in the last ticks, with half of the injected part
-  Vec3<Newton> injected;                       ///< in the last tick
-  std::uint32_t tick = 0;                      ///< of the forces that are known: counts to 15, then again from 8
+  std::uint8_t tick = 0;                       ///< of the forces that are known: counts to 15, then again from 8
   bool begun = false;
 };
 

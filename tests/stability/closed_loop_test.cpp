@@ -91,6 +91,7 @@ Seen simulate(const Trial& run, int ticks) {
     in.packet = encode(reply);
     in.fresh = true;
     in.field_generation = 1;
+    const Damping injects = injected_damping(state.felt.passivity, state.render.passivity);
     const Output out = tick(in, &block().view(), model, state);
     if (!touched && (out.status & kContact) != 0) {  // what the hand lost on its way there is no credit
       touched = true;
@@ -111,7 +112,7 @@ Seen simulate(const Trial& run, int ticks) {
     const double z = mechanism.position_mm().z - 125;
     seen.lowest = std::min(seen.lowest, energy);
     seen.damped += (out.status & kDamped) != 0 ? 1 : 0;
-    const Vec3<Newton> injected = state.render.passivity.injected;
+    const Vec3<Newton> injected = damping_force(state.motion.quiet.velocity, injects);
     const Vec3<Newton> step = injected - last;
     last = injected;
     if (t >= ticks - 4000 && t < ticks - 2000) earlier.add(z);
