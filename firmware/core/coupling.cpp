@@ -51,44 +51,68 @@ Coupling make_coupling(const TickSettings& settings, PerSecond rate) {
   return coupling;
 }
 
-Force couple(const Contact& contact, Stiffness stiffness, const Coupling& coupling, CouplingState& state, const Vec3<Newton>& damping) {
+Force couple(const Contact& contact, const Vec3<Mm>& way, Stiffness stiffness, const Coupling& coupling, CouplingState& state,
+             const Vec3<Newton>& damping) {
   const Vec3<Mm> deflection = mul<Mm>(contact.deflection, coupling.edge);
   const Vec3<Mm> change = deflection - state.last_deflection;
   state.last_deflection = deflection;
+  state.last_way = way;
 
   const bool arrived = !contact.following && !contact.held_inside;
   const bool in_ramp = contact.touching && state.ramp < coupling.ramp_ticks;
   state.ramp = !arrived ? 0 : in_ramp ? state.ramp + 1 : coupling.ramp_ticks;
 
+  state.lag.damper = {};
   if (!contact.touching) return {};
   const Vec3<Newton> spring = mul<Newton>(deflection, stiffness);
-  const Vec3<Newton> full = spring + mul<Newton>(change, coupling.damping) + damping;
+  state.lag.damper = mul<Newton>(change, coupling.damping);
+  const Vec3<Newton> full = spring + state.lag.damper + damping;
   const auto part = static_cast<std::int32_t>(state.ramp) * coupling.ramp_part.raw();  // at most 2^30: ramp <= ramp_ticks
   const Limited force = limited_length(in_ramp ? part_of(full, RampPart::from_raw(part)) : full, coupling.force_limit);
+  state.lag.limited = force.limited;
   return {force.newton, force.limited, in_ramp, deflection, spring, force.kept};
 }
 
 void begin_lag(Stiffness stiffness, const Coupling& coupling, CouplingState& state) {
-  const auto part = static_cast<std::int32_t>(state.ramp) * coupling.ramp_part.raw();
-  const Vec3<Newton> spring = mul<Newton>(state.last_deflection, stiffness);
-  const Vec3<Newton> given = state.ramp < coupling.ramp_ticks ? part_of(spring, RampPart::from_raw(part)) : spring;
-  surface_moved(limited_length(given, coupling.force_limit).newton, state.lag);
+  Vec3<Newton> spring = mul<Newton>(state.last_deflection, stiffness);
+  if (state.ramp < coupling.ramp_ticks) {
+    const auto part = RampPart::from_raw(static_cast<std::int32_t>(state.ramp) * coupling.ramp_part.raw());
+    spring = part_of(spring, part);
+    state.lag.damper = part_of(state.lag.damper, part);
+  }
+  surface_moved(spring, state.lag);
 }
 
 Force couple_lagging(const Contact& contact, const Vec3<Mm>& way, bool arriving, Stiffness stiffness, const Coupling& coupling,
                      CouplingState& state, const Vec3<Newton>& damping) {
   const Vec3<Mm> deflection = mul<Mm>(contact.deflection, coupling.edge);
   const Vec3<Mm> change = deflection - state.last_deflection;
+  Lag& lag = state.lag;
+  LagInput in;
+  in.target = mul<Newton>(deflection, stiffness);
+  in.step = mul<Newton>(change, stiffness);
+  in.by_hand = mul<Newton>(way, stiffness);
+  if (coupling.damping > DampingPerTick{}) {  // off, it takes no time
+    if (contact.touching) in.damper = mul<Newton>(change, coupling.damping);
+    in.gain = mul<Newton>(way - state.last_way, coupling.damping);
+  }
+  in.others = damping;
+  in.touched = !(state.last_deflection == Vec3<Mm>{});
+  in.touching = contact.touching;
+  in.arriving = arriving;
+  in.limited = lag.felt;
+  if (lag.moved && lag.limited) {
+    const Vec3<Newton> dampers = in.touched ? lag.damper + damping : Vec3<Newton>{};
+    in.limited = limited_length(lag.felt + dampers, coupling.force_limit).newton - dampers;
+  }
   state.last_deflection = deflection;
+  state.last_way = way;
   state.ramp = coupling.ramp_ticks;
 
-  const LagInput in = {mul<Newton>(deflection, stiffness), mul<Newton>(change, stiffness), mul<Newton>(way, stiffness), contact.touching,
-                       arriving};
-  const Vec3<Newton> spring = follow_target(in, state.lag);
-  const Vec3<Newton> damper =
-      state.lag.settling > 0 ? Vec3<Newton>{} : mul<Newton>(change, coupling.damping);  // what the surface did is no speed
-  const Vec3<Newton> full = contact.touching ? spring + damper + damping : spring;
-  const Limited force = limited_length(full, coupling.force_limit);
+  const Vec3<Newton> spring = follow_target(in, lag);
+  const Vec3<Newton> full = spring + lag.damper;
+  const Limited force = limited_length(contact.touching ? full + damping : full, coupling.force_limit);
+  lag.limited = force.limited;
   return {force.newton, force.limited, false, stretch_of(spring, stiffness), spring, force.kept};
 }
 

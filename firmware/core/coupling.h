@@ -37,6 +37,7 @@ struct Coupling {
 
 struct CouplingState {
   Vec3<Mm> last_deflection;
+  Vec3<Mm> last_way;
   std::uint32_t ramp = 0;  ///< ticks of the ramp done; ramp_ticks = full force
   Lag lag;
 };
@@ -65,11 +66,13 @@ Coupling for_field(const Coupling& prepared, const FieldView& field);
 /// Contact → force on the hand. Without contact the force is zero in the same tick; the ramp starts again where the proxy was held inside
 /// or had not arrived.
 ///
+/// way       of the HIP in this tick
 /// stiffness of the surface at the proxy: `coupling.stiffness`, or as much of it as the field's table says there
 /// damping   a force against the hand's speed, added in contact
 /// fails     never: shortens to the limit and keeps the direction, exactly for springs below 8191 N and deflections below 2047 mm; larger ones saturate
 /// tick      yes: constant cost, no division
-Force couple(const Contact& contact, Stiffness stiffness, const Coupling& coupling, CouplingState& state, const Vec3<Newton>& damping = {});
+Force couple(const Contact& contact, const Vec3<Mm>& way, Stiffness stiffness, const Coupling& coupling, CouplingState& state,
+             const Vec3<Newton>& damping = {});
 
 /// The surface has moved by itself: from now on the force follows it by `couple_lagging`, as long as the lag is on.
 ///

@@ -62,6 +62,27 @@ Vec3<Newton> without_pull(const Vec3<Newton>& force, const Vec3<Ratio>& outwards
   return force - reaching(std::min(along(force, outwards), Newton{}), outwards);
 }
 
+/// Can the hand's change of speed alone do this to the damper's force? A part more is left to a surface that is curved.
+bool is_by_hand(const Vec3<Newton>& change, const Vec3<Newton>& gain) {
+  const std::int64_t most = square_of(gain);
+  return square_of(change) <= most + (most >> 2);
+}
+
+/// Moves the damper's force on. What the dampers give more than the hand explains, is taken from the spring's.
+///
+/// jumps     the surface does
+void follow_damper(const LagInput& in, bool jumps, Lag& lag, Vec3<Newton>& spring) {
+  const Vec3<Newton> damper = within(in.damper, kMostForce), change = damper - lag.damper;
+  const bool meets = in.touching != in.touched;
+  if (!meets && change == Vec3<Newton>{}) return;
+  const bool by_hand = meets ? !jumps : is_by_hand(change, within(in.gain, kMostForce));  // where the hand itself touches, dampers begin
+  if (!by_hand && jumps && in.touching && !meets) return;                                 // they hold what they gave
+  lag.damper = damper;
+  if (by_hand) return;
+  const Vec3<Newton> others = !meets ? Vec3<Newton>{} : in.touching ? in.others : -in.others;
+  spring = within(spring - change - others, kMostForce);
+}
+
 }  // namespace
 
 void surface_moved(const Vec3<Newton>& given, Lag& lag) {
@@ -72,11 +93,15 @@ void surface_moved(const Vec3<Newton>& given, Lag& lag) {
 
 Vec3<Newton> follow_target(const LagInput& in, Lag& lag) {
   const Vec3<Newton> target = within(in.target, kMostForce), step = within(in.step, kMostForce), by_hand = within(in.by_hand, kMostForce);
-  const Vec3<Newton> before = lag.felt;
   const Newton longest = length_of(square_of(by_hand));  // of a step that the hand alone can make
-  if (in.arriving || (in.touching && square_of(step) > square_of(longest + kStill))) lag.settling = kSettlingTicks;
+  const bool leaps = square_of(step) > square_of(longest + kStill), moved_here = lag.moved && leaps;
+  if (in.arriving || (in.touching && leaps)) lag.settling = kSettlingTicks;
 
-  const bool goes_on = in.touching && !lag.moved;
+  const bool jumps = lag.moved || leaps;
+  Vec3<Newton> before = moved_here ? in.limited : lag.felt;
+  follow_damper(in, jumps, lag, before);
+
+  const bool goes_on = in.touching && !moved_here;
   const Vec3<Newton> led = goes_on ? before + (lag.settling > 0 ? no_longer(step, longest) : step) : used_up(before, by_hand);
   Vec3<Newton> felt = target - shorter(target - within(led, kMostForce), kFollow);
   const Vec3<Ratio> outwards = direction_of(target);

@@ -8,6 +8,9 @@
 ///   - a surface that is gone leaves its force behind, which decays, and which a hand that goes along with it uses up as it would a spring;
 ///   - the force is never larger than the target or what was given before, and never begins to pull.
 ///
+/// A surface that jumps is no speed either: in that tick the damper holds what it gave, unless the hand's own change of speed explains more. What it
+/// gives afterwards may differ, because the surface faces another way, and the lag takes up that difference, too.
+///
 /// Only the shrinking of the lag gives energy to the hand that the hand has not given.
 #pragma once
 
@@ -26,9 +29,11 @@ inline constexpr Newton kFollow = Newton::of(0.0475);
 inline constexpr std::uint8_t kSettlingTicks = 16;
 
 struct Lag {
-  Vec3<Newton> felt;  ///< what the spring gave in the last tick
+  Vec3<Newton> felt;    ///< what the spring gave in the last tick
+  Vec3<Newton> damper;  ///< what the spring's damper gave in it
   bool on = false;
   bool moved = false;         ///< since the last tick
+  bool limited = false;       ///< the force limit was, in the last tick
   std::uint8_t settling = 0;  ///< ticks left
 };
 
@@ -37,17 +42,22 @@ struct LagInput {
   Vec3<Newton> target;   ///< stiffness times deflection; zero without contact
   Vec3<Newton> step;     ///< stiffness times the change of the deflection in this tick
   Vec3<Newton> by_hand;  ///< stiffness times the way of the HIP in this tick
+  Vec3<Newton> damper;   ///< damping times the change of the deflection; zero without contact
+  Vec3<Newton> gain;     ///< damping times what the way of the HIP is more than in the last tick
+  Vec3<Newton> others;   ///< what other dampers give in contact
+  Vec3<Newton> limited;  ///< what the force limit let through of `Lag::felt`; from there the force follows a surface that has moved
+  bool touched = false;  ///< in the last tick
   bool touching = false;
   bool arriving = false;  ///< the proxy has not settled on the surface
 };
 
 /// A patch: the lag is on until the force has followed.
 ///
-/// given     the spring's force in the last tick, as the hand felt it; counts only where the lag is off
+/// given     the spring's force in the last tick; counts only where the lag is off
 /// tick      yes
 void surface_moved(const Vec3<Newton>& given, Lag& lag);
 
-/// returns   the spring's force that is felt; a target beyond 4095 N a component counts as that
+/// returns   the spring's force that is felt; a target beyond 4095 N a component counts as that. To it comes `lag.damper`
 /// fails     never
 /// tick      yes: constant cost, no division
 Vec3<Newton> follow_target(const LagInput& in, Lag& lag);

@@ -72,7 +72,7 @@ Rendering feel(Contact& contact, const Motion& motion, const FieldView& field, c
   const bool lagging = state.coupling.lag.on;
   const Force force = lagging ? couple_lagging(contact, motion.way, contact.following || state.proxy.unsettled, stiffness, model.coupling,
                                                state.coupling, damped.force)
-                              : couple(contact, stiffness, model.coupling, state.coupling, damped.force);
+                              : couple(contact, motion.way, stiffness, model.coupling, state.coupling, damped.force);
   if (model.passivity.is_on()) book_energy(motion.way, force, damped.injected, model.passivity, state.passivity);
 
   const std::uint32_t status = when(contact.touching, kContact) | when(contact.following, kFollowing) |

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "shared/fault_names.h"
 #include "tests/driver/broken_cores.h"
@@ -90,8 +91,14 @@ void patch(FaultBench& bench, const std::vector<std::uint8_t>& image) {
 }
 
 TEST(Guard, LetsASurfaceMoveUnderTheHand) {
-  for (const int every : {33, 100, 7}) {
-    const auto bench = std::make_unique<FaultBench>(FaultBench::Options{});
+  TickSettings damped;
+  damped.damping = Damping::of(0.005);
+  damped.hand_damping = Damping::of(0.003);
+  for (const auto& [every, settings] :
+       {std::pair{33, TickSettings{}}, {100, TickSettings{}}, {7, TickSettings{}}, {33, damped}, {7, damped}}) {
+    FaultBench::Options options;
+    options.tick = settings;
+    const auto bench = std::make_unique<FaultBench>(options);
     ASSERT_TRUE(bench->begin());
     int forces = 0, patches = 0, lags = 0;
     std::size_t now = 10, step = 1;
@@ -116,13 +123,17 @@ TEST(Guard, LetsASurfaceMoveUnderTheHand) {
 
 /// By steps that the proxy cannot follow, and away altogether.
 TEST(Guard, LetsASurfaceJumpUnderTheHand) {
-  const auto bench = std::make_unique<FaultBench>(FaultBench::Options{});
-  ASSERT_TRUE(bench->begin());
   const std::vector<std::vector<std::uint8_t>> far = {ball_image(25), ball_image(5), ball_image(24), ball_image(33), ball_image(26)};
-  for (int t = 0; t < 4000; ++t) {
-    if (t % 400 == 0) patch(*bench, far[static_cast<std::size_t>(t / 400) % far.size()]);
-    bench->tick();
-    ASSERT_EQ(bench->line_state.verdict(), GuardVerdict::kNone) << name_of(bench->line_state.verdict()) << " in tick " << t;
+  for (const Damping damping : {Damping{}, Damping::of(0.005)}) {
+    FaultBench::Options options;
+    options.tick.damping = damping;
+    const auto bench = std::make_unique<FaultBench>(options);
+    ASSERT_TRUE(bench->begin());
+    for (int t = 0; t < 4000; ++t) {
+      if (t % 400 == 0) patch(*bench, far[static_cast<std::size_t>(t / 400) % far.size()]);
+      bench->tick();
+      ASSERT_EQ(bench->line_state.verdict(), GuardVerdict::kNone) << name_of(bench->line_state.verdict()) << " in tick " << t;
+    }
   }
 }
 

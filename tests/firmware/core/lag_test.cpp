@@ -19,6 +19,11 @@ Vec3<Newton> fixed(const Point& p) {
 }
 constexpr double kRounding = 3e-4;
 
+LagInput input(const Point& target, const Point& step, const Point& by_hand, const Lag& lag) {
+  return {fixed(target), fixed(step), fixed(by_hand), {}, {}, {}, lag.felt, true, true, false};
+}
+LagInput no_contact(bool arriving) { return {{}, {}, {}, {}, {}, {}, {}, false, false, arriving}; }
+
 TEST(Lag, WhateverTheTargetDoesTheForceFollowsItByLittle) {
   test::Random random(1);
   for (int trial = 0; trial < 2000; ++trial) {
@@ -36,7 +41,9 @@ TEST(Lag, WhateverTheTargetDoesTheForceFollowsItByLittle) {
       const Point last = aim;
       const Point before = newton(lag.felt), wanted = touching ? target : Point{};
       aim = wanted;
-      const Point felt = newton(follow_target({fixed(wanted), fixed(wanted - last), fixed(by_hand), touching, false}, lag));
+      LagInput in = input(wanted, wanted - last, by_hand, lag);
+      in.touching = touching;
+      const Point felt = newton(follow_target(in, lag));
       ASSERT_LE(length(felt - before), 0.05 + length(by_hand) + kRounding);
       ASSERT_LE(length(felt), std::max(length(wanted), length(before)) + kRounding);
       if (dot(before, wanted) < 0 || !touching) continue;
@@ -48,7 +55,7 @@ TEST(Lag, WhateverTheTargetDoesTheForceFollowsItByLittle) {
 TEST(Lag, EndsWhenTheForceHasFollowed) {
   Lag lag;
   surface_moved(fixed({0, 0, 1}), lag);
-  const LagInput in = {fixed({0, 0, 3}), {}, {}, true, false};
+  const LagInput in = input({0, 0, 3}, {}, {}, lag);
   int ticks = 0;
   for (; lag.on && ticks < 1000; ++ticks) follow_target(in, lag);
   EXPECT_NEAR(ticks, 2 / 0.0475, 1.5);
@@ -58,18 +65,18 @@ TEST(Lag, EndsWhenTheForceHasFollowed) {
 TEST(Lag, LastsWhileTheProxyArrives) {
   Lag lag;
   surface_moved({}, lag);
-  for (int tick = 0; tick < 100; ++tick) follow_target({{}, {}, {}, false, true}, lag);
+  for (int tick = 0; tick < 100; ++tick) follow_target(no_contact(true), lag);
   EXPECT_TRUE(lag.on);
-  for (std::uint32_t tick = 0; tick < kSettlingTicks; ++tick) follow_target({{}, {}, {}, false, false}, lag);
+  for (std::uint32_t tick = 0; tick < kSettlingTicks; ++tick) follow_target(no_contact(false), lag);
   EXPECT_FALSE(lag.on);
 }
 
 TEST(Lag, TheHandsOwnWayIsFeltAtOnce) {
   Lag lag;
   surface_moved(fixed({0, 0, 2}), lag);
-  for (std::uint32_t tick = 0; tick <= kSettlingTicks; ++tick) follow_target({fixed({0, 0, 8}), {}, {}, true, false}, lag);
+  for (std::uint32_t tick = 0; tick <= kSettlingTicks; ++tick) follow_target(input({0, 0, 8}, {}, {}, lag), lag);
   const double before = newton(lag.felt).z;
-  const Point felt = newton(follow_target({fixed({0, 0, 7.5}), fixed({0, 0, -0.5}), fixed({0, 0, 0.5}), true, false}, lag));
+  const Point felt = newton(follow_target(input({0, 0, 7.5}, {0, 0, -0.5}, {0, 0, 0.5}, lag), lag));
   EXPECT_NEAR(felt.z, before - 0.5 + 0.0475, kRounding);
 }
 

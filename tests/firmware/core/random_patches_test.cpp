@@ -118,6 +118,60 @@ void wander(const Pool& pool, bool are_plates, std::uint64_t seed, std::uint64_t
   EXPECT_GT(releases, 0U);
 }
 
+/// Slopes of any height, and nothing at all.
+const Pool& slopes() {
+  static const Pool pool = [] {
+    Pool made;
+    test::Random random(3);
+    for (int n = 0; n < 40; ++n) {
+      const Point normal = unit(Point{0, 0, 2} + random.in_ball(1));
+      const Point through = {24, 24, 20 + 4 * random.in_ball(1).z};
+      made.add([=](const Point& at) { return n % 10 == 0 ? 100.0 : std::max(dot(at - through, normal), 6 - at.z); });
+    }
+    return made;
+  }();
+  return pool;
+}
+
+/// A hand of constant velocity: what it gives itself to a damper does not change, so a patch may change the force by no more than without one.
+TEST(MovingSurface, WhatDampersGiveChangesByLittleToo) {
+  TickSettings spring_damper, all;
+  spring_damper.damping = Damping::of(0.01);
+  all.damping = Damping::of(0.005);
+  all.hand_damping = Damping::of(0.005);
+  all.friction = Ratio::of(0.3);
+  const Pool& pool = slopes();
+  for (const TickSettings& settings : {spring_damper, all}) {
+    test::Random random(17);
+    double most = 0, fastest = 0;
+    int compared = 0;
+    for (int trial = 0; trial < 600; ++trial) {
+      Hand hand(pool.fields[1], settings);
+      hand.lead({24, 24, 40}, {24, 24, 22}, 200);
+      const Point way = random.in_ball(0.2);  // 100 mm/s
+      Point at = {24, 24, 18};
+      hand.lead({24, 24, 22}, at, 60);
+      for (int t = 0; t < 20; ++t) hand.go_to(at = at + way);  // the filters have its speed
+      bool touched = hand.touches();
+      int since = 100;
+      for (int t = 0; t < 25; ++t) {
+        if (random.bits() % 8 == 0) hand.patch(pool.fields[random.bits() % pool.size()]), since = 0;
+        hand.go_to(at = at + way);
+        const bool by_hand = touched != hand.touches() && since > 0;  // it touches, or lets go: there the dampers begin and end
+        touched = hand.touches();
+        ++since;
+        if (by_hand || !hand.lags()) continue;
+        ++compared;
+        most = std::max(most, hand.change() - spring(length(way)));
+        fastest = std::max(fastest, length(way) * kEdge);
+      }
+    }
+    std::printf("%d ticks, up to %.0f mm/s: %.4f N beyond the hand's own way\n", compared, fastest * 1000, most);
+    EXPECT_LE(most, kMostChange);
+    EXPECT_GT(compared, 5000);
+  }
+}
+
 TEST(MovingSurface, RandomPatchesNeitherStrikeNorLetThrough) {
   wander(plates(), true, 1, 60'000);
   wander(bodies(), false, 1, 60'000);

@@ -207,6 +207,28 @@ TEST(DeviceTick, TheDepthIsJudgedAsFarAsItIsFelt) {
   }
 }
 
+/// Not even on a surface that moves may a hand press as deep as it likes.
+TEST(DeviceTick, AHandThatGoesTooDeepItselfIsStoppedWhileTheForceLags) {
+  for (const bool moved : {true, false}) {
+    DeviceModel device = test::falcon_sets()[0].model;
+    device.penetration_limit = Mm::of(1.0);
+    Bench bench(test::falcon_sets()[0], device);
+    bench.begin();
+    bench.press(7.3);
+    Output out;
+    double deepest = 0;
+    for (double r = 7.3; r > 6.5 && state_of(out) != SupervisorState::kFault; r -= 0.05) {
+      Input in = packet(bench.counts_at(kCentre + Point{r, 0, 0}));
+      if (moved && deepest == 0) bench.generation = 2, in.requests = kRequestMoved;
+      out = bench(in);
+      deepest = 8 - r;
+    }
+    EXPECT_EQ(state_of(out), SupervisorState::kFault) << moved;
+    EXPECT_EQ((out.status & kLagging) != 0, moved);
+    EXPECT_NEAR(deepest, 1.0, 0.1) << moved;
+  }
+}
+
 TEST(DeviceTick, ARestartForgetsEverything) {
   Bench used, fresh;
   used.begin();
