@@ -8,6 +8,7 @@ import os
 import shutil
 import signal
 import subprocess
+import threading
 import unittest
 from pathlib import Path
 
@@ -30,6 +31,12 @@ case $1 in
   *) [ -z "${FAKE_CRASH-}" ] || exit 77; [ -z "${FAKE_SILENT-}" ] || exit 0
      echo "#3	DONE   cov: $(find $folders -type f -printf '%s\\n' | sort -n | tail -1) ft: 9 corp: 3/9b" >&2 ;;
 esac
+"""
+
+# Notes what it was asked, and what of it while anybody could have the lock of that folder.
+WATCHES = """case $1 in --build) at=$2 ;; --workflow) at=build/$3 ;; *) at=build/$2 ;; esac
+echo "$*" >>asked
+! flock -n "$at.lock" true || echo "$*" >>unlocked
 """
 
 
@@ -115,6 +122,7 @@ class DevTest(fakes.Tree):
         for name, reads in (("plain", True), ("a b", False), ("a:b", False)):
             self.root = usual / "checkouts" / name
             self.take("dev")
+            self.take("hil/lib/build.sh")
             for words in (("setup",), ("test",), ("test", "arm64"), ("hil", "2")):
                 _, _, complaints = self.call("dev", *words, PATH=f"{usual}/bin:{os.environ['PATH']}", CI="true")
                 said = f"dev: the build for arm64 works below no path with a space or a colon; move this checkout from '{self.root}'\n"
@@ -129,12 +137,16 @@ class DevTest(fakes.Tree):
         (self.root / lock).parent.mkdir(parents=True, exist_ok=True)
         with (self.root / lock).open("w") as first:
             fcntl.flock(first, fcntl.LOCK_EX)
+            ended = threading.Timer(20, fcntl.flock, (first, fcntl.LOCK_UN))   # so that whoever waits and says nothing ends, too
+            ended.start()
+            self.addCleanup(ended.cancel)
             with self.start("dev", *words, PATH=f"{self.root}/bin:{os.environ['PATH']}", CI="true") as second:
                 assert second.stderr
                 self.assertEqual(second.stderr.readline(), f"dev: {said}; waiting until it has ended\n")
                 with self.assertRaises(subprocess.TimeoutExpired):
                     second.wait(timeout=1)
                 self.assertTrue(theirs.exists())
+                ended.cancel()
                 fcntl.flock(first, fcntl.LOCK_UN)
                 second.communicate(timeout=60)
         self.assertEqual(second.returncode, 0)
@@ -150,6 +162,59 @@ class DevTest(fakes.Tree):
         self.script("bin/cmake", "rm -f theirs\n")
         (self.root / "theirs").touch()
         self.waits("build/release.lock", "another ./dev builds in build/release", self.root / "theirs", "build")
+
+    def test_whoever_waits_is_told_so_where_the_build_speaks_into_a_log(self) -> None:
+        self.script("tests/fuzz/seeds", 'mkdir -p "$2/field"\necho seed >"$2/field/ball"\n')
+        self.script("build/sanitize/bin/fuzz_field", FUZZ)
+        self.script("hil/cases/run", "exit 0\n")
+        self.script("bin/cmake", "rm -f theirs\n")
+        for words in (("fuzz", "minimise", "field"), ("hil", "--accept", "a-case", "--reason", "none")):
+            (self.root / "theirs").touch()
+            self.waits("build/release.lock", "another ./dev builds in build/release", self.root / "theirs", *words)
+
+    def test_a_lock_that_cannot_be_taken_is_not_said_to_be_anothers(self) -> None:
+        self.script("bin/cmake", 'echo "$*" >>asked\n')
+        (self.root / "build").mkdir(exist_ok=True)
+        (self.root / "build/release.lock").symlink_to("nowhere/lock")   # not by its mode: root may open whatever is there
+        code, _, complaints = self.dev("build")
+        self.assertEqual((code, complaints.splitlines()[1:]),
+                         (1, ["dev: build/release.lock cannot be locked; if build/ belongs to another user, remove it, or run this as that user"]))
+        self.assertFalse((self.root / "asked").exists())
+
+    def test_a_build_that_waits_leaves_the_log_of_the_first_one_alone(self) -> None:
+        self.script("bin/cmake", 'echo begun\ntouch begun\nuntil [ -e go ]; do sleep 0.05; done\necho "$FAKE_SAYS"\nexit 1\n')
+        environment = {"PATH": f"{self.root}/bin:{os.environ['PATH']}", "CI": "true"}
+        with self.start("dev", "build", FAKE_SAYS="the first one's reason", **environment) as first:
+            self.assertTrue(fakes.appears(self.root / "begun"))
+            with self.start("dev", "build", FAKE_SAYS="the second one's", **environment) as second:
+                assert second.stderr
+                told = second.stderr.readline()
+                (self.root / "go").touch()
+                said = [terminal.communicate(timeout=60)[0] for terminal in (first, second)]
+        self.assertEqual(told, "dev: another ./dev builds in build/release; waiting until it has ended\n")
+        self.assertEqual(said, ["begun\nthe first one's reason\n", "begun\nthe second one's\n"])
+
+    def test_nobody_builds_without_the_lock(self) -> None:
+        self.script("bin/cmake", WATCHES)
+        for program in ("apt-get", "apt-config"):
+            self.script(f"bin/{program}", "echo http://nowhere\n")
+        self.script("bin/mmdebstrap", "! flock -n build/sysroot/armhf.lock true || echo sysroot >>unlocked\ntar -c -T /dev/null\n")
+        for name in ("bin/run-clang-tidy", "hil/rig/make", "hil/outside/pack", "build/release/bin/isotouch"):
+            self.script(name, "exit 0\n")
+        for rung in ("desk", "processors", "outside", "bare_metal"):
+            self.take(f"hil/{rung}/make")
+        path = f"{self.root}/bin:{os.environ['PATH']}"
+        self.call("dev", "tidy", PATH=path)
+        self.call("dev", "test", "armhf", PATH=path)
+        for rung in ("processors", "outside", "bare_metal"):   # the first one makes the desk, too
+            self.call(f"hil/{rung}/make", "replay-arm64", "replay-arm64-trixie", "replay-armhf", "replay-riscv64", "replay-wasm32", PATH=path)
+        asked = (self.root / "asked").read_text()
+        for preset in ("release", "arm64", "arm64-trixie", "armhf", "riscv64", "wasm32", "cortex-m7"):
+            self.assertIn(f"--preset {preset}\n--build build/{preset} --target ", asked)
+        self.assertIn("--preset tidy\n", asked)
+        self.assertIn("--workflow --preset armhf\n", asked)
+        self.assertTrue((self.root / "build/sysroot/armhf/.content").exists())
+        self.assertFalse((self.root / "unlocked").exists() and (self.root / "unlocked").read_text())
 
     def test_what_a_build_leaves_running_keeps_nobody_waiting(self) -> None:
         self.script("bin/cmake", 'sleep 30 >/dev/null 2>&1 & echo $! >>left\n')
