@@ -38,6 +38,22 @@ WATCHES = """case $1 in --build) at=$2 ;; --workflow) at=build/$3 ;; *) at=build
 echo "$*" >>asked
 ! flock -n "$at.lock" true || echo "$*" >>unlocked
 """
+# The tests of a preset: one, named FAKE_TESTS, fails; without that name none begins. Once `theirs` is there, whoever tests another preset loses the report of
+# release to another terminal.
+TESTS = """[ "$1" = --workflow ] || exit 0
+[ ! -e theirs ] || [ "$3" = release ] || cp theirs build/release/tests.xml
+[ -n "$FAKE_TESTS" ] || exit 1
+mkdir -p "build/$3"
+cat >"build/$3/tests.xml" <<END
+<testsuite name="all"
+	tests="5"
+	failures="1"
+	disabled="0"
+	skipped="1"
+	><testcase name="$FAKE_TESTS" status="fail"><system-out>because</system-out></testcase></testsuite>
+END
+exit 1
+"""
 
 
 class DevTest(fakes.Tree):
@@ -193,6 +209,30 @@ class DevTest(fakes.Tree):
                 said = [terminal.communicate(timeout=60)[0] for terminal in (first, second)]
         self.assertEqual(told, "dev: another ./dev builds in build/release; waiting until it has ended\n")
         self.assertEqual(said, ["begun\nthe first one's reason\n", "begun\nthe second one's\n"])
+
+    def test_a_preset_that_does_not_come_to_its_tests_takes_none_from_another_terminal(self) -> None:
+        self.take("tests/integration/not_passed")
+        self.script("bin/cmake", TESTS)
+        self.assertEqual(self.dev("test", "release", FAKE_TESTS="theirs")[1].splitlines()[-1], "3 passed, 1 failed, 1 skipped")
+        report = self.root / "build/release/tests.xml"
+        theirs = report.read_text()
+        with (self.root / "build/release.lock").open("w") as first:
+            fcntl.flock(first, fcntl.LOCK_EX)
+            with self.start("dev", "test", "release", PATH=f"{self.root}/bin:{os.environ['PATH']}", CI="true", FAKE_TESTS="") as second:
+                assert second.stderr
+                second.stderr.readline()   # it waits
+                report.write_text(theirs)
+                fcntl.flock(first, fcntl.LOCK_UN)
+                said, _ = second.communicate(timeout=60)
+        self.assertEqual((second.returncode, said.splitlines()[-1]), (1, "0 passed, 1 failed, 0 skipped"))
+
+    def test_what_failed_is_named_though_another_terminal_tests_the_preset_again(self) -> None:
+        self.take("tests/integration/not_passed")
+        self.script("bin/cmake", TESTS)
+        (self.root / "theirs").touch()
+        _, said, _ = self.dev("test", "release", "host", FAKE_TESTS="ours", TMPDIR=str(self.root / "bin"))
+        self.assertEqual([line for line in said.splitlines() if line.startswith("failed in")], ["failed in release: ours", "failed in host: ours"])
+        self.assertEqual(list(self.root.glob("bin/tmp*")), [])
 
     def test_nobody_builds_without_the_lock(self) -> None:
         self.script("bin/cmake", WATCHES)
