@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -24,9 +25,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kReach = 1e-6;         // of the mesh's size: meetings are as exact as this
-constexpr double kFinest = 1.0 / 2048;  // of the mesh's size: parts of a face are not cut further
-constexpr double kMaxParts = 2e5;       // in the length of all meetings: bounds memory
+constexpr double kReach = 1e-6;             // of the mesh's size: meetings are as exact as this
+constexpr double kFinest = 1.0 / 2048;      // of the mesh's size: parts of a face are not cut further
+constexpr std::size_t kMaxParts = 500'000;  // of all faces: bounds memory and time
 
 /// A part of the line along which another face meets this one, in this one's plane.
 struct Meeting {
@@ -81,8 +82,20 @@ double length_in(const Meeting& meeting, const std::array<Vector2d, 3>& corners,
   return std::max(until - from, 0.0) * way.norm();
 }
 
-double longest_side(const Corners& face) {
-  return std::sqrt(std::max({(face[1] - face[0]).squaredNorm(), (face[2] - face[1]).squaredNorm(), (face[0] - face[2]).squaredNorm()}));
+/// A side of a face: from the corner of this number to the next.
+struct Side {
+  std::size_t from = 0;
+  double length = 0;
+};
+
+/// The first of equally long ones.
+Side longest_side(const Corners& face) {
+  Side longest;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double length = (face[(i + 1) % 3] - face[i]).norm();
+    if (length > longest.length) longest = {i, length};
+  }
+  return longest;
 }
 
 /// Is the union on one side of a face alone?
@@ -101,38 +114,58 @@ class Sides {
 /// Cuts one face.
 class Cutter {
  public:
-  Cutter(Plane plane, const Sides& sides, double reach, double finest)
-      : plane_(std::move(plane)), sides_(sides), reach_(reach), finest_(finest) {}
+  Cutter(const Corners& face, double reach, double finest) : plane_(face), reach_(reach), finest_(finest) {}
 
   /// Appends what stays of a part. Does all of it?
-  bool cut(const Corners& part, const std::vector<Meeting>& near, std::vector<Corners>& stay) const {
-    const std::array<Vector2d, 3> seen = {plane_.seen(part[0]), plane_.seen(part[1]), plane_.seen(part[2])};
-    std::vector<Meeting> meetings;
-    std::copy_if(near.begin(), near.end(), std::back_inserter(meetings),
-                 [&](const Meeting& meeting) { return length_in(meeting, seen, reach_) > reach_; });
-    const Vector3d middle = (part[0] + part[1] + part[2]) / 3;
-    if (meetings.empty() || longest_side(part) <= finest_) {
-      bool stays = sides_.differ(middle, plane_.normal());
+  bool cut(const Corners& part, const std::vector<Meeting>& near, const Sides& sides, std::vector<Corners>& stay) const {
+    const std::vector<Meeting> meetings = those_in(part, near);
+    if (is_last(part, meetings)) {
+      const Vector3d middle = (part[0] + part[1] + part[2]) / 3;
+      bool stays = sides.differ(middle, plane_.normal());
       // A straight cut leaves a corner on each side. Where none is left, a tip may still stand on the middle.
       const double outward = meetings.empty() ? 0.5 : 0.999;
-      for (std::size_t i = 0; i < 3; ++i) stays = stays || sides_.differ(middle + outward * (part[i] - middle), plane_.normal());
+      for (std::size_t i = 0; i < 3; ++i) stays = stays || sides.differ(middle + outward * (part[i] - middle), plane_.normal());
       if (stays) stay.push_back(part);
       return stays;
     }
-    const Vector3d ab = (part[0] + part[1]) / 2, bc = (part[1] + part[2]) / 2, ca = (part[2] + part[0]) / 2;
     const std::size_t before = stay.size();
     bool all = true;
-    for (const Corners& quarter : {Corners{part[0], ab, ca}, {ab, part[1], bc}, {ca, bc, part[2]}, {bc, ca, ab}})
-      all = cut(quarter, meetings, stay) && all;
+    for (const Corners& half : halves(part)) all = cut(half, meetings, sides, stay) && all;
     if (!all) return false;
     stay.resize(before);
     stay.push_back(part);
     return true;
   }
 
+  /// Counts the parts that it is cut into, up to a number.
+  void count(const Corners& part, const std::vector<Meeting>& near, std::size_t most, std::size_t& parts) const {
+    if (parts > most) return;
+    const std::vector<Meeting> meetings = those_in(part, near);
+    if (is_last(part, meetings)) {
+      ++parts;
+      return;
+    }
+    for (const Corners& half : halves(part)) count(half, meetings, most, parts);
+  }
+
  private:
+  std::vector<Meeting> those_in(const Corners& part, const std::vector<Meeting>& near) const {
+    const std::array<Vector2d, 3> seen = {plane_.seen(part[0]), plane_.seen(part[1]), plane_.seen(part[2])};
+    std::vector<Meeting> meetings;
+    std::copy_if(near.begin(), near.end(), std::back_inserter(meetings),
+                 [&](const Meeting& meeting) { return length_in(meeting, seen, reach_) > reach_; });
+    return meetings;
+  }
+  bool is_last(const Corners& part, const std::vector<Meeting>& meetings) const {
+    return meetings.empty() || longest_side(part).length <= finest_;
+  }
+  static std::array<Corners, 2> halves(const Corners& part) {
+    const std::size_t from = longest_side(part).from;
+    const Vector3d &a = part[from], &b = part[(from + 1) % 3], &c = part[(from + 2) % 3], middle = (a + b) / 2;
+    return {Corners{a, middle, c}, {middle, b, c}};
+  }
+
   Plane plane_;
-  const Sides& sides_;
   double reach_, finest_;
 };
 
@@ -140,7 +173,6 @@ class Cutter {
 struct Met {
   std::vector<Meeting> within;  ///< through its inside
   bool touched = false;         ///< it, or its rim elsewhere than where faces share a corner or an edge
-  double length = 0;            ///< of what is within
 };
 
 /// Do two faces with one common corner meet elsewhere? Only if one's edge opposite that corner meets the other.
@@ -177,10 +209,7 @@ std::vector<Met> meetings_of(const cloud::TriangleMesh& mesh, const FaceTree& tr
           if (common.count == 2 && meetings.size() < 3) continue;  // an edge
           for (const Meeting& meeting : meetings) {
             const double within = length_in(meeting, seen, reach);
-            if (within > reach) {
-              met.within.push_back(meeting);
-              met.length += within;
-            }
+            if (within > reach) met.within.push_back(meeting);
             met.touched = met.touched || within > reach || (common.count < 2 && length_in(meeting, seen, -near) > 10 * reach);
           }
         }
@@ -216,6 +245,22 @@ std::vector<std::uint32_t> spokesmen(const cloud::TriangleMesh& mesh, const std:
   return all;
 }
 
+/// Would the faces asked be cut into more parts than are allowed? One that is not cut adds none.
+bool are_too_many(const TriangleTree& turns, const std::vector<std::uint32_t>& asked, const std::vector<Met>& met, double reach,
+                  double finest) {
+  std::atomic<std::size_t> all{0};
+  in_parallel(asked.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (auto face = static_cast<std::uint32_t>(begin); face < end && all <= kMaxParts; ++face) {
+      if (asked[face] != face || met[face].within.empty()) continue;
+      const Corners corners = turns.corners(face);
+      std::size_t parts = 0;
+      Cutter(corners, reach, finest).count(corners, met[face].within, kMaxParts, parts);
+      all += parts - 1;
+    }
+  });
+  return all > kMaxParts;
+}
+
 /// Is there an edge of more than two faces?
 bool any_branches(const std::vector<FaceEdge>& edges) {
   for (std::size_t n = 2; n < edges.size(); ++n)
@@ -231,18 +276,18 @@ std::optional<cloud::TriangleMesh> outer_faces(const cloud::TriangleMesh& mesh, 
   const double size = (box.high - box.low).norm(), reach = kReach * size;
   const std::vector<FaceEdge> edges = face_edges(mesh);
   const std::vector<Met> met = meet || any_branches(edges) ? meetings_of(mesh, tree, size) : std::vector<Met>(mesh.faces.size());
-  const double length = std::accumulate(met.begin(), met.end(), 0.0, [](double sum, const Met& face) { return sum + face.length; });
-  const double finest = std::max(kFinest * size, length / kMaxParts);
   const Sides sides(turns, size);
 
   const std::vector<std::uint32_t> asked = spokesmen(mesh, edges, met);
+  double finest = kFinest * size;
+  while (are_too_many(turns, asked, met, reach, finest)) finest *= 2;
   std::vector<std::vector<Corners>> stay(mesh.faces.size());  // one part: all of the face
   std::vector<std::uint8_t> whole(mesh.faces.size());
   in_parallel(mesh.faces.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (auto face = static_cast<std::uint32_t>(begin); face < end; ++face) {
       if (asked[face] != face) continue;
       const Corners corners = turns.corners(face);
-      whole[face] = Cutter(Plane(corners), sides, reach, finest).cut(corners, met[face].within, stay[face]) ? 1 : 0;
+      whole[face] = Cutter(corners, reach, finest).cut(corners, met[face].within, sides, stay[face]) ? 1 : 0;
     }
   });
   cloud::TriangleMesh outer{mesh.vertices, {}};

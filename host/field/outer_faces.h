@@ -12,10 +12,11 @@ namespace isotouch::field {
 /// Of the mesh's size. Gaps and walls thinner than `kThinnest` are none; faces within `kNear` touch, so that both sides of such a gap are seen to.
 inline constexpr double kThinnest = 2e-6, kNear = 4e-6;
 
-/// A face that has the union on both sides, or on neither, is left out. One that does in part is cut into quarters, again and again, until each part
-/// bounds the union everywhere or nowhere, or is no longer than a two-thousandth of the mesh's size; where faces meet along more than a hundred times
-/// that size, a 200,000th of their way. Such a small part stays whole if its middle or a corner of it bounds the union. So, but for slivers a
-/// thousandth as wide as that, all of the union's surface is there, and what is there inside it is within that length of the surface.
+/// A face that has the union on both sides, or on neither, is left out. One that does in part is cut in halves across its longest side, again and
+/// again, until each part bounds the union everywhere or nowhere, or is no longer than a two-thousandth of the mesh's size. Where that adds more
+/// than half a million parts, it is twice that length, or four times, until there are no more. Such a small part stays whole if its middle or a
+/// corner of it bounds the union. So, but for slivers a thousandth as wide as that, all of the union's surface is there, and what is there inside it
+/// is within that length of the surface.
 ///
 /// mesh      closed: every edge is run as often in one direction as in the other
 /// faces     of the mesh
