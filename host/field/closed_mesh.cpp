@@ -41,6 +41,11 @@ std::string count_of(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
 
+std::string rims(const MeshRepair& repair) {
+  return "the mesh is open: " + count_of(repair.holes, "rim", "rims") + " of " + text(repair.rim_length) +
+         " units length together, the longest round " + text(repair.rim);
+}
+
 double diagonal(const cloud::TriangleMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Vector3d& vertex : mesh.vertices) box.extend(vertex);
@@ -214,20 +219,63 @@ void count_swallowed(const TriangleTree& tree, const cloud::TriangleMesh& mesh, 
   }
 }
 
+/// Six times the volume of each sheet or piece, at the place of the face that stands for it.
+std::vector<double> six_volumes_of(const cloud::TriangleMesh& mesh, const std::vector<std::uint32_t>& of) {
+  std::vector<double> six_volumes(mesh.faces.size());
+  for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
+    const Vector3d& origin = mesh.vertices[mesh.faces[of[face]][0]];
+    const auto& [a, b, c] = mesh.faces[face];
+    six_volumes[of[face]] += (mesh.vertices[a] - origin).dot((mesh.vertices[b] - origin).cross(mesh.vertices[c] - origin));
+  }
+  return six_volumes;
+}
+
+/// The pieces that face outward: without hollows, and without bodies that face inward.
+cloud::TriangleMesh outward_pieces(const cloud::TriangleMesh& mesh) {
+  const std::vector<std::uint32_t> piece = pieces_of_faces(mesh);
+  const std::vector<double> six_volumes = six_volumes_of(mesh, piece);
+  cloud::TriangleMesh outward{mesh.vertices, {}};
+  for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
+    if (six_volumes[piece[face]] > 0) outward.faces.push_back(mesh.faces[face]);
+  }
+  return outward;
+}
+
+/// What lies in front of a face.
+struct Ahead {
+  bool nothing = false;      ///< somewhere, no body
+  bool overlap = false;      ///< somewhere, a body with several hollows
+  bool all_overlap = false;  ///< that everywhere
+};
+
+/// What is wrong with a piece, and after the semicolon what to do.
+///
+/// inward    it faces inward; else a body lies where hollows overlap
+/// nothing   and there is no body round it
+/// turned    the file's faces were all turned round
+std::string trouble(const std::string& piece, bool inward, bool nothing, bool turned) {
+  if (!inward) return piece + " lies where hollows overlap; unite the hollows in a mesh program";
+  if (!nothing) {
+    return piece + " has faces that point " + (turned ? "outwards" : "inwards") +
+           ", and lies in a hollow; reverse its faces if it is a body, or remove it if it is a hollow";
+  }
+  if (turned) return "most faces point inwards, but those of " + piece + " point outwards; reverse all others";
+  return piece + " has faces that point inwards, and there it lies in no other piece; reverse its faces";
+}
+
 /// In front of the faces of a sheet that faces inward lies what the sheet encloses. In a hollow nothing winds round that place. An open sheet
-/// encloses nothing by itself: it faces inward if that is so in front of the larger part of it.
-void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, double size, MeshRepair& repair) {
+/// encloses nothing by itself: it faces inward if that is so in front of the larger part of it. Where hollows overlap, a place counts less than
+/// nothing, as it does beside all bodies. Hollows may overlap; but what lies wholly in others may as well be a body, and no body may lie there.
+///
+/// first_fan   the faces from this one on close holes
+void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, double size, std::size_t first_fan, MeshRepair& repair) {
   const Sheets sheets = sheets_of(mesh);
   const std::vector<std::uint32_t>& sheet = sheets.of;
-  std::vector<double> six_volumes(mesh.faces.size());  // of a sheet
-  for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
-    const Vector3d& origin = mesh.vertices[mesh.faces[sheet[face]][0]];
-    const auto& [a, b, c] = mesh.faces[face];
-    six_volumes[sheet[face]] += (mesh.vertices[a] - origin).dot((mesh.vertices[b] - origin).cross(mesh.vertices[c] - origin));
-  }
+  const std::vector<double> six_volumes = six_volumes_of(mesh, sheet);
   const double noise = 6 * kLeastVolume * size * size * size;
   const auto is_open = [&](std::uint32_t face) { return sheets.open[sheet[face]] != 0; };
   const auto is_inward = [&](std::uint32_t face) { return !is_open(face) && six_volumes[sheet[face]] < -noise; };
+  const auto is_outward = [&](std::uint32_t face) { return !is_open(face) && six_volumes[sheet[face]] > noise; };
   std::vector<std::uint32_t> asked;
   for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
     if (is_inward(face) || is_open(face)) asked.push_back(face);
@@ -235,36 +283,59 @@ void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, d
   const bool is_one = std::all_of(sheet.begin(), sheet.end(), [&](std::uint32_t of) { return of == sheet[0]; });
   if (asked.empty() && is_one) return;
   const TriangleTree tree(mesh);
-  const auto faces_out = [&](std::uint32_t face) { return !is_open(face) && six_volumes[sheet[face]] > noise; };
-  if (!is_one) count_swallowed(tree, mesh, sheet, 1e-6 * size, faces_out, repair);
-  std::vector<std::uint8_t> in_nothing(asked.size());
-  in_parallel(asked.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) {
-      const Corners corners = tree.corners(asked[n]);
-      const Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3, ahead = 1e-6 * size * cloud::face_normal(mesh, asked[n]);
-      const auto is_in_nothing = [&](const Vector3d& place) { return turns_round(tree, place + ahead) < 0; };
-      in_nothing[n] = is_in_nothing(middle) ||
-                      (is_inward(asked[n]) && std::any_of(corners.begin(), corners.end(), [&](const Vector3d& corner) {
-                         return is_in_nothing(middle + 0.999 * (corner - middle));  // what sticks out of a piece may be a corner
-                       }));
-    }
-  });
+  if (!is_one) count_swallowed(tree, mesh, sheet, 1e-6 * size, is_outward, repair);
+  std::vector<Ahead> found;
+  const auto look_ahead = [&](const TriangleTree* bodies) {
+    found.assign(asked.size(), Ahead{});
+    in_parallel(asked.size(), 64, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
+        const Corners corners = tree.corners(asked[n]);
+        const Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3, ahead = 1e-6 * size * cloud::face_normal(mesh, asked[n]);
+        bool any_else = false;
+        const auto look = [&](const Vector3d& place) {
+          const bool less = turns_round(tree, place + ahead) < 0, in_body = less && bodies != nullptr && is_inside(*bodies, place + ahead);
+          found[n].nothing |= less && !in_body;
+          found[n].overlap |= in_body;
+          any_else |= !in_body;
+        };
+        look(middle);
+        if (!is_open(asked[n])) {
+          for (const Vector3d& corner : corners) look(middle + 0.999 * (corner - middle));  // what sticks out of a piece may be a corner
+        }
+        found[n].all_overlap = !any_else;
+      }
+    });
+  };
+  look_ahead(nullptr);
+  if (std::none_of(found.begin(), found.end(), [](const Ahead& ahead) { return ahead.nothing; })) return;
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+    if (is_outward(face)) asked.push_back(face);
+  }
+  const cloud::TriangleMesh outward = outward_pieces(mesh);
+  const TriangleTree bodies(outward);
+  look_ahead(&bodies);
+
   std::vector<double> surplus(mesh.faces.size());  // of a sheet's area, twice: in front of it is nothing
+  std::vector<std::uint8_t> in_hollows(mesh.faces.size(), 1), has_fans(mesh.faces.size());  // of a sheet
   for (std::size_t n = 0; n < asked.size(); ++n) {
     const Corners corners = tree.corners(asked[n]);
     const double area = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
-    surplus[sheet[asked[n]]] += in_nothing[n] != 0 ? area : -area;
+    surplus[sheet[asked[n]]] += found[n].nothing || found[n].overlap ? area : -area;
+    if (!found[n].all_overlap) in_hollows[sheet[asked[n]]] = 0;
   }
+  for (std::size_t face = first_fan; face < mesh.faces.size(); ++face) has_fans[sheet[face]] = 1;
   for (std::size_t n = 0; n < asked.size(); ++n) {
-    const std::uint32_t face = asked[n];
-    if (in_nothing[n] == 0 || (is_open(face) && surplus[sheet[face]] <= 2 * kLeastArea * size * size)) continue;
+    const std::uint32_t face = asked[n], of = sheet[face];
+    const bool turned_body = is_open(face) ? (found[n].nothing || found[n].overlap) && surplus[of] > 2 * kLeastArea * size * size
+                                           : is_inward(face) && (found[n].nothing || in_hollows[of] != 0);
+    if (!turned_body && !(is_outward(face) && found[n].overlap)) continue;
     const auto& [a, b, c] = mesh.faces[face];
-    const std::string piece = (is_open(face) ? "a piece of " : "a closed piece of ") +
-                              count_of(static_cast<std::size_t>(std::count(sheet.begin(), sheet.end(), sheet[face])), "face", "faces") +
-                              " near " + text((mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3);
-    throw InputError(repair.turned
-                         ? name + ": most faces point inwards, but those of " + piece + " point outwards; reverse all others"
-                         : name + ": " + piece + " has faces that point inwards, and there it lies in no other piece; reverse its faces");
+    const std::string piece = (is_open(face) || has_fans[of] != 0 ? "a piece of " : "a closed piece of ") +
+                              count_of(static_cast<std::size_t>(std::count(sheet.begin(), sheet.end(), of)), "face", "faces") + " near " +
+                              text((mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3);
+    std::string what = trouble(piece, turned_body, found[n].nothing, repair.turned);
+    if (has_fans[of] != 0) what = what.substr(0, what.rfind(';')) + "; join or close the rims in a mesh program";
+    throw InputError(name + ": " + (repair.holes > 0 ? rims(repair) + "; when fans of faces close them, " : "") + what);
   }
 }
 
@@ -280,6 +351,7 @@ cloud::TriangleMesh closed_mesh(cloud::TriangleMesh mesh, const std::string& nam
                        " units apart; merge vertices by distance in a mesh program");
     }
   }
+  const std::size_t first_fan = mesh.faces.size();
   close_holes(mesh, rim, repair);
   const double size = diagonal(mesh);
   const double volume = cloud::signed_volume(mesh);
@@ -292,15 +364,15 @@ cloud::TriangleMesh closed_mesh(cloud::TriangleMesh mesh, const std::string& nam
   if (repair.turned) {
     for (auto& face : mesh.faces) std::swap(face[1], face[2]);
   }
-  require_hollows(mesh, name, size, repair);
+  require_hollows(mesh, name, size, first_fan, repair);
   return mesh;
 }
 
 std::vector<std::string> MeshRepair::warnings() const {
   std::vector<std::string> list;
   if (holes > 0) {
-    list.push_back("the mesh is open: " + count_of(holes, "rim", "rims") + " of " + text(rim_length) +
-                   " units length together, the longest round " + text(rim) + ", closed by fans of faces");
+    list.push_back(rims(*this) + ", closed by fans of faces" +
+                   (holes > 1 ? "; where one rim lies round another, join the two in a mesh program instead" : ""));
   }
   if (repeated > 0) list.push_back(count_of(repeated, "face was", "faces were") + " written more than once; each was kept once");
   if (branching > 0) {

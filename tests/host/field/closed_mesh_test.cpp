@@ -17,9 +17,11 @@
 namespace isotouch::field {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 cloud::TriangleMesh cube() { return box_mesh({0, 0, 0}, {1, 1, 1}); }
@@ -173,6 +175,50 @@ TEST(ClosedMesh, WhereMostFacesPointInwardsThatIsTheBlame) {
               StartsWith("a.stl: most faces point inwards, but those of a closed piece of 12 faces near ("));
   EXPECT_THAT(refusal(joined(right, turned(box_mesh({4, 0, 0}, {8, 4, 4})))),
               StartsWith("a.stl: the faces enclose nothing, or those that point inwards as much as those that point outwards"));
+}
+
+/// Without its upper side.
+cloud::TriangleMesh vessel(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
+  auto mesh = box_mesh(low, high);
+  mesh.faces.erase(mesh.faces.begin() + 2, mesh.faces.begin() + 4);
+  return mesh;
+}
+
+TEST(ClosedMesh, AnOpenMeshIsNotBlamedForWhatItsFansMakeOfIt) {
+  const auto outside = vessel({0, 0, 0}, {10, 10, 10}), inside = vessel({2, 2, 2}, {8, 8, 10.5});  // a cup without a lip
+  EXPECT_THAT(
+      refusal(together(outside, turned(inside))),
+      StartsWith(
+          "a.stl: the mesh is open: 2 rims of 64 units length together, the longest round (5, 5, 10); when fans of faces close them, "));
+  EXPECT_THAT(refusal(together(outside, turned(inside))),
+              HasSubstr(", and there it lies in no other piece; join or close the rims in a mesh program"));
+  EXPECT_THAT(refusal(turned(together(outside, turned(inside)))),
+              AllOf(HasSubstr("2 rims of 64 units"), HasSubstr("join or close the rims in a mesh program"), Not(HasSubstr("reverse"))));
+  EXPECT_THAT(refusal(together(outside, turned(box_mesh({20, 0, 0}, {22, 2, 2})))),
+              AllOf(HasSubstr("1 rim of 40 units"), HasSubstr("a closed piece of 12 faces near (2"), HasSubstr("; reverse its faces")));
+  MeshRepair repair;
+  (void)closed_mesh(together(outside, inside), "a.stl", repair);
+  EXPECT_THAT(repair.warnings(), ElementsAre(HasSubstr("; where one rim lies round another, join the two in a mesh program instead")));
+}
+
+TEST(ClosedMesh, HollowsMayOverlap) {
+  const auto body = box_mesh({0, 0, 0}, {10, 10, 10});
+  const auto a = turned(box_mesh({2, 2, 2}, {5, 5, 5})), b = turned(box_mesh({4, 4, 4}, {7, 7, 7})),
+             c = turned(box_mesh({4, 3, 3}, {6, 6, 6}));
+  const auto hollowed = together(together(body, a), b);
+  EXPECT_EQ(refusal(hollowed), "no refusal");
+  EXPECT_EQ(refusal(turned(hollowed)), "no refusal");
+  EXPECT_EQ(refusal(together(hollowed, c)), "no refusal");
+  EXPECT_EQ(refusal(together(body, turned(box_mesh({2, 2, 2}, {5, 5, 5.5})))), "no refusal");
+  EXPECT_THAT(refusal(together(hollowed, turned(box_mesh({6, 6, 6}, {11, 9, 9})))),
+              HasSubstr("there it lies in no other piece; reverse its faces"));
+  const auto in_hollow = HasSubstr(" and lies in a hollow; reverse its faces if it is a body, or remove it if it is a hollow");
+  EXPECT_THAT(refusal(together(hollowed, turned(box_mesh({3, 3, 3}, {3.5, 3.5, 3.5})))), in_hollow);
+  EXPECT_THAT(refusal(turned(together(hollowed, turned(box_mesh({3, 3, 3}, {3.5, 3.5, 3.5}))))), in_hollow);
+  EXPECT_THAT(refusal(together(hollowed, turned(box_mesh({4.2, 4.2, 4.2}, {4.8, 4.8, 4.8})))), in_hollow) << "in both";
+  EXPECT_THAT(refusal(together(hollowed, box_mesh({4.2, 4.2, 4.2}, {4.8, 4.8, 4.8}))),
+              HasSubstr("a closed piece of 12 faces near (4.4, 4.6, 4.2) lies where hollows overlap; unite the hollows"));
+  EXPECT_EQ(refusal(together(hollowed, box_mesh({2.5, 2.5, 2.5}, {3.5, 3.5, 3.5}))), "no refusal") << "a body in one of them";
 }
 
 TEST(ClosedMesh, FacesThatDoNotShareTheirCornersAreRefusedWithTheGap) {

@@ -150,6 +150,18 @@ TEST(MeshDistance, AHollowStaysHollow) {
   }
 }
 
+TEST(MeshDistance, HollowsThatOverlapAreOne) {
+  const Vector3d half(4, 3, 3), hollow(2, 1, 1);
+  const auto one = box_mesh({-2, -1, -1}, {1, 1, 1}), other = box_mesh({-1, -1, -1}, {2, 1, 1});
+  const MeshDistance distance(together(together(box_mesh(-half, half), turned(one)), turned(other)));
+  cloud::Random random(14);
+  for (int i = 0; i < 10'000; ++i) {
+    const Vector3d p = any_point(random);
+    const double exact = std::max(box_distance(half, p), -box_distance(hollow, p)), found = distance(p);
+    ASSERT_NEAR(found, exact, exact > 0 ? 1e-6 : 0.006) << p.transpose();
+  }
+}
+
 TEST(MeshDistance, OfOnePieceThatTouchesItselfIsThatOfItsInside) {
   // A ring of bars, open where the end of the last one stands on the first one's side.
   const std::vector<Block> bars = {{{0, 0, 0}, {4, 1, 1}}, {{0, 0, 0}, {1, 3, 1}}, {{0, 2, 0}, {3.5, 3, 1}}, {{3, 0.5, 0}, {3.5, 3, 1}}};
