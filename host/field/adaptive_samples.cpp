@@ -69,7 +69,7 @@ Round described(cloud::OrientedPoints samples, std::vector<std::uint32_t> point,
   Round now{{}, std::move(point)};
   AdaptiveSamples& result = now.result;
   result.scan = std::make_unique<Scan>(std::move(samples));
-  const std::vector<std::uint32_t> kept = connected(*result.scan);
+  const std::vector<std::uint32_t> kept = connected_sides(*result.scan).samples;
   result.isolated = result.scan->size() - kept.size();
   if (result.isolated > 0) {
     const Scan& all = *result.scan;

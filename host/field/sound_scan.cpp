@@ -64,6 +64,32 @@ std::unique_ptr<Scan> kept(const Scan& all, const std::vector<std::uint32_t>& sa
   return std::make_unique<Scan>(std::move(points));
 }
 
+/// Each sample's part of a surface, but for a factor that all have.
+double surface_of(const Scan& scan, const std::vector<std::uint32_t>& samples) {
+  double sum = 0.0;
+  for (const std::uint32_t i : samples) sum += scan.spacing(i) * scan.spacing(i);
+  return sum;
+}
+
+/// Where the file has no normals: the surface on which samples lie that are not connected, over that of the connected ones. Their normals were estimated with
+/// those of a denser side, so that only now they have some.
+///
+/// connected   samples of the scan, ascending
+double unknown_side(const Scan& scan, const std::vector<std::uint32_t>& connected) {
+  std::vector<Vector3d> others;
+  auto next = connected.begin();
+  for (std::uint32_t i = 0; i < scan.size(); ++i) {
+    if (next != connected.end() && *next == i) {
+      ++next;
+    } else {
+      others.push_back(scan.positions()[i]);
+    }
+  }
+  if (others.size() < Scan::kListed) return 0.0;
+  const Scan alone({others, estimated_normals(others), {}});
+  return surface_of(alone, on_a_surface(alone)) / surface_of(scan, connected);
+}
+
 /// How many of the points lie in the scan's box, or just beside it?
 std::size_t in_box_of(const Scan& scan, const std::vector<Vector3d>& points) {
   Eigen::AlignedBox3d box;
@@ -229,10 +255,13 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   const OrientedPoints given = points;
   if (options.estimate) points.normals = estimated_normals(points.positions);
   auto scan = std::make_unique<Scan>(std::move(points));
-  const std::vector<std::uint32_t> samples = connected(*scan);
+  const Sides sides = options.estimate ? Sides{connected(*scan)} : connected_sides(*scan);  // estimated normals have no side yet
+  const std::vector<std::uint32_t>& samples = sides.samples;
   if (samples.size() < kFewestPoints) throw refusal(options, "hardly any of its points lies beside others on a surface; scan more densely");
   if (!options.estimate && are_placeholders(*scan))
     throw refusal(options, "all normals are equal, so they are placeholders; use --normals estimate");
+  result.sparse = sides.sparse;
+  if (options.estimate) result.unknown_side = unknown_side(*scan, samples);
   result.strays = scan->size() - samples.size();
   if (result.strays > 0) {
     scan = kept(*scan, samples);

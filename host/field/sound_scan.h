@@ -33,6 +33,8 @@ struct SoundScan {
   bool is_capped = false;             ///< the scan ends in a plane, and what was invented closes it there (cut_plane.h)
   bool is_on_table = false;           ///< the scan ends in a plane that looks back at it; a relief with a flat edge does, too
   std::size_t strays = 0;             ///< points left out: far from the others, or not confirmed by those beside them (outliers.h)
+  std::size_t sparse = 0;             ///< points kept as a side that is much sparser than the other side of its wall (outliers.h)
+  double unknown_side = 0;            ///< the surface of such a side over that of the rest, where it was left out: the file has no normals
   std::size_t strays_among = 0;       ///< of these those in the box round the points that stay, or just beside it
   std::vector<std::uint32_t> turned;  ///< of the measured points those whose normal points the other way than in the file
   std::size_t inside_out = 0;         ///< of these those of closed parts that hang on nothing (lone_parts.h)

@@ -56,6 +56,11 @@ constexpr double kAlongAxis = 0.99;              // cosine
 constexpr double kAlongAxes = 0.9;               // of the normals: a body of flat faces along the axes may well lie on a lattice
 // Of the points: in patches. 19 real clouds have none; a wall seen through a ball's opening is 0.017 of six views together.
 constexpr double kMostPatches = 0.005;
+constexpr double kRemovable = 0.2;  // of the points: so many patches are the scan itself
+
+// Of the surface: the inside of a cup or of a ball has 0.6 and more, veils of flying pixels have 0.08 at most.
+constexpr double kMostUnknownSide = 0.15;
+constexpr double kManySparse = 0.01;  // of the points: worth a word
 
 // One voxel within, a sound body is 1 voxel deep, and a wall of 1.5 voxels at most 0.5: its surface bulges between the field's samples. Bowls and
 // plates with 1.05 to 1.17 times their volume have shares of 0.96 to 0.997, with 1.045 times 0.82, real scans below 0.09.
@@ -150,6 +155,9 @@ std::string other_sensor(const SoundScan& sound) {
   return "leave out --viewpoint";
 }
 
+constexpr const char* kSparseSide =
+    " points form a surface that is much sparser than the one on the other side of its wall; scan more densely there, or thin out the rest";
+
 /// What may explain all the reasons that there are.
 std::vector<std::string> explanations(const SoundScan& sound) {
   if (sound.sensor_from == SensorFrom::kDepthImage)
@@ -157,6 +165,8 @@ std::vector<std::string> explanations(const SoundScan& sound) {
   std::vector<std::string> list;
   if (sound.is_sheet && sound.is_on_table)
     list.emplace_back("the scan ends at the edge of a flat part; if that is a table or a wall, remove it");
+  if (static_cast<double>(sound.sparse) > kManySparse * static_cast<double>(sound.measured))
+    list.push_back(std::to_string(sound.sparse) + kSparseSide);
   if (sound.outside == Outside::kViewpoint)
     list.push_back("every normal was turned towards the sensor's place; if not all of the points were seen from there, " +
                    other_sensor(sound) + ", or save the scan with outward normals");
@@ -283,6 +293,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
       sound.in_lines > kMostInLines,
       "the points lie in lines that are far apart, and without normals nobody knows the surface between them; save the scan with outward "
       "normals, or scan more lines");
+  refuse(sound.unknown_side > kMostUnknownSide,
+         "points that were left out form a surface that is much sparser than the one beside it, and without normals nobody knows on "
+         "which side of a wall it lies; scan more densely there, thin out the rest, or save the scan with outward normals");
   refuse(verdict.stray_share > kMostStrays, per_cent(verdict.stray_share) + " of the points are strays; remove them from the scan");
   limit(verdict.gap_share, most_gaps,
         per_cent(verdict.gap_share) +
@@ -293,8 +306,8 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   const double patches = static_cast<double>(sound.rim.patches) / count;
   refuse(closed && patches > kMostPatches, per_cent(patches) +
                                                " of the points form patches that nothing joins to the rest, and nobody knows what lies "
-                                               "behind them; scan what surrounds them, or "
-                                               "remove them");
+                                               "behind them; scan what surrounds them" +
+                                               (patches > kRemovable ? "" : ", or remove them"));
   refuse(closed && verdict.thin_share > kMostThin,
          per_cent(verdict.thin_share) +
              " of the surface belongs to walls thinner than two voxels, which come out too thick; choose a finer --voxel");
@@ -319,7 +332,7 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   limit(verdict.surprising_share, kMostSurprising * in_noise + kPerStray * strays_among,
         per_cent(verdict.surprising_share) + " of the surface has points where their neighbours do not expect them; " +
             (is_finer_than_usual(field, sound, measured) ? "leave out --voxel and --grid or choose a coarser one, " : "") +
-            "scan more densely, or with less noise");
+            (sound.strays + repair.isolated > 0 ? "remove strays, " : "") + "scan more densely, or with less noise");
   const double beyond = verdict.gap_share > most_gaps ? 0.0 : verdict.volume_of_enclosed - 1.0;  // known as far as the points close
   limit(beyond, kMostVolume,
         "the body has " + per_cent(verdict.volume_of_enclosed) +

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -361,6 +362,38 @@ TEST(SoundScan, FindsNormalsOfAClosedSurfaceWithoutAny) {
     ASSERT_EQ(scan.strays, 0U) << name;
     EXPECT_LE(unlike(scan, truth), truth.size() / 100) << name;
   }
+}
+
+/// A hollow ball with a wall of 3 whose inside has a tenth of the outside's 8,000 points.
+OrientedPoints sparse_within() {
+  OrientedPoints points;
+  for (const auto& [count, radius, side] : {std::array{8000.0, 30.0, 1.0}, {800.0, 27.0, -1.0}}) {
+    for (double i = 0.5; i < count; ++i) {
+      const double z = 1.0 - 2.0 * i / count, turn = 2.399963229728653 * i, r = std::sqrt(1.0 - z * z);
+      points.normals.emplace_back(side * r * std::cos(turn), side * r * std::sin(turn), side * z);
+      points.positions.emplace_back(side * radius * points.normals.back());
+    }
+  }
+  return points;
+}
+
+TEST(SoundScan, KeepsASideThatIsMuchSparserThanTheOther) {
+  const SoundScan scan = sound_scan(sparse_within());
+  EXPECT_EQ(scan.strays, 0U);
+  EXPECT_EQ(scan.sparse, 800U);
+  EXPECT_EQ(scan.unknown_side, 0);
+}
+
+TEST(SoundScan, WithoutNormalsSaysHowLargeASideIsThatWasLeftOut) {
+  OrientedPoints bare = sparse_within();
+  bare.normals.assign(bare.size(), Vector3d::Zero());
+  const SoundScan scan = sound_scan(bare, {.estimate = true});
+  EXPECT_EQ(scan.sparse, 0U);
+  EXPECT_GT(scan.strays, 0U);
+  EXPECT_GT(scan.unknown_side, 0.3);
+  bare.positions.resize(8000);
+  bare.normals.resize(8000);
+  EXPECT_EQ(sound_scan(bare, {.estimate = true}).unknown_side, 0);
 }
 
 TEST(SoundScan, EqualNormalsOnABodyArePlaceholdersAndOnTerracesNot) {

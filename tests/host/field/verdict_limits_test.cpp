@@ -72,6 +72,18 @@ TEST(VerdictLimits, EachFigureIsRefusedBeyondItsOwn) {
        }},
       {"lie behind others", 0.079, 0.081, [](Build& b, double x) { b.sound.hidden = x; }},
       {"are strays", 0.29, 0.31, [](Build& b, double x) { b.sound.strays = b.of_points(x / (1 - x)); }},
+      {"were left out form a surface", 0.149, 0.151, [](Build& b, double x) { b.sound.unknown_side = x; }},
+      {"much sparser than the one on the other side", 0.0097, 0.0103,
+       [](Build& b, double x) {
+         b.sound.sparse = b.of_points(x);
+         b.sound.hidden = 0.1;  // it only explains what else is wrong
+       }},
+      {"do not expect them; remove strays", 0, 1,
+       [](Build& b, double x) {
+         b.repair.surprising = 0.1;
+         b.sound.strays = static_cast<std::size_t>(x);
+       }},
+      {"surrounds them, or remove them", 0.21, 0.19, [](Build& b, double x) { b.sound.rim.patches = b.of_points(x); }},
       {"points scatter by", 0.79, 0.81, [](Build& b, double x) { b.sound.noise = x * b.sound.spacing; }},
       {"form patches", 0.0047, 0.0053, [](Build& b, double x) { b.sound.rim.patches = b.of_points(x); }},
       {"no smooth surface explains", 0.39, 0.41, [](Build& b, double x) { b.repair.unexplained = x; }},
