@@ -101,9 +101,10 @@ Force couple_lagging(const Contact& contact, const Vec3<Mm>& way, bool arriving,
   in.touching = contact.touching;
   in.arriving = arriving;
   in.limited = lag.felt;
-  if (lag.moved && lag.limited) {
-    const Vec3<Newton> dampers = in.touched ? lag.damper + damping : Vec3<Newton>{};
+  if (lag.limited && (lag.moved || !contact.touching)) {
+    const Vec3<Newton> dampers = in.touched ? lag.damper + let_through(damping, lag) : Vec3<Newton>{};
     in.limited = limited_length(lag.felt + dampers, coupling.force_limit).newton - dampers;
+    if (dot_raw(in.limited, lag.felt) < 0) in.limited = {};  // the dampers alone are beyond the limit
   }
   state.last_deflection = deflection;
   state.last_way = way;
@@ -111,7 +112,7 @@ Force couple_lagging(const Contact& contact, const Vec3<Mm>& way, bool arriving,
 
   const Vec3<Newton> spring = follow_target(in, lag);
   const Vec3<Newton> full = spring + lag.damper;
-  const Limited force = limited_length(contact.touching ? full + damping : full, coupling.force_limit);
+  const Limited force = limited_length(contact.touching ? full + let_through(damping, lag) : full, coupling.force_limit);
   lag.limited = force.limited;
   return {force.newton, force.limited, false, stretch_of(spring, stiffness), spring, force.kept};
 }

@@ -79,11 +79,21 @@ void follow_damper(const LagInput& in, bool jumps, Lag& lag, Vec3<Newton>& sprin
   if (!by_hand && jumps && in.touching && !meets) return;                                 // they hold what they gave
   lag.damper = damper;
   if (by_hand) return;
-  const Vec3<Newton> others = !meets ? Vec3<Newton>{} : in.touching ? in.others : -in.others;
-  spring = within(spring - change - others, kMostForce);
+  spring = within(spring - change, kMostForce);
+  if (!meets) return;
+  const Vec3<Newton> others = within(in.others, kMostForce);
+  if (in.touching) {
+    lag.withheld = length_of(square_of(others));
+  } else {
+    spring = within(spring + shorter(others, lag.withheld), kMostForce);
+  }
 }
 
 }  // namespace
+
+Vec3<Newton> let_through(const Vec3<Newton>& others, const Lag& lag) {
+  return lag.withheld == Newton{} ? others : shorter(within(others, kMostForce), lag.withheld);
+}
 
 void surface_moved(const Vec3<Newton>& given, Lag& lag) {
   if (!lag.on) lag.felt = within(given, kMostForce);
@@ -97,22 +107,26 @@ Vec3<Newton> follow_target(const LagInput& in, Lag& lag) {
   const bool leaps = square_of(step) > square_of(longest + kStill), moved_here = lag.moved && leaps;
   if (in.arriving || (in.touching && leaps)) lag.settling = kSettlingTicks;
 
-  const bool jumps = lag.moved || leaps;
-  Vec3<Newton> before = moved_here ? in.limited : lag.felt;
+  const bool jumps = lag.moved || leaps, lets_go = leaps && !in.touching;
+  Vec3<Newton> before = moved_here || lets_go ? in.limited : lag.felt;
   follow_damper(in, jumps, lag, before);
 
   const bool goes_on = in.touching && !moved_here;
   const Vec3<Newton> led = goes_on ? before + (lag.settling > 0 ? no_longer(step, longest) : step) : used_up(before, by_hand);
-  Vec3<Newton> felt = target - shorter(target - within(led, kMostForce), kFollow);
+  const Vec3<Newton> behind = target - within(led, kMostForce);
+  Vec3<Newton> felt = target - shorter(behind, kFollow);
   const Vec3<Ratio> outwards = direction_of(target);
   if (along(before, outwards) >= Newton{}) felt = without_pull(felt, outwards);
   const std::int64_t larger = std::max(square_of(target), square_of(before));
   if (square_of(felt) > larger) felt = no_longer(felt, length_of(larger));
 
+  if (!in.touching) lag.withheld = {};
+  if (behind == Vec3<Newton>{}) lag.withheld = std::max(lag.withheld - kFollow, Newton{});  // the spring does not need it
+
   lag.felt = felt;
   lag.moved = false;
   if (lag.settling > 0) --lag.settling;
-  lag.on = lag.settling > 0 || !(felt == target);
+  lag.on = lag.settling > 0 || !(felt == target) || lag.withheld > Newton{};
   return felt;
 }
 

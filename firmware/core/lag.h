@@ -9,7 +9,8 @@
 ///   - the force is never larger than the target or what was given before, and never begins to pull.
 ///
 /// A surface that jumps is no speed either: in that tick the damper holds what it gave, unless the hand's own change of speed explains more. What it
-/// gives afterwards may differ, because the surface faces another way, and the lag takes up that difference, too.
+/// gives afterwards may differ, because the surface faces another way, and the lag takes up that difference, too. Where a patch gives the contact to a
+/// hand that moves, the dampers of the hand begin at zero, and come once the spring has followed.
 ///
 /// Only the shrinking of the lag gives energy to the hand that the hand has not given.
 #pragma once
@@ -31,6 +32,7 @@ inline constexpr std::uint8_t kSettlingTicks = 16;
 struct Lag {
   Vec3<Newton> felt;    ///< what the spring gave in the last tick
   Vec3<Newton> damper;  ///< what the spring's damper gave in it
+  Newton withheld;      ///< what is missing of other dampers, because a patch gave the contact
   bool on = false;
   bool moved = false;         ///< since the last tick
   bool limited = false;       ///< the force limit was, in the last tick
@@ -45,7 +47,8 @@ struct LagInput {
   Vec3<Newton> damper;   ///< damping times the change of the deflection; zero without contact
   Vec3<Newton> gain;     ///< damping times what the way of the HIP is more than in the last tick
   Vec3<Newton> others;   ///< what other dampers give in contact
-  Vec3<Newton> limited;  ///< what the force limit let through of `Lag::felt`; from there the force follows a surface that has moved
+  Vec3<Newton>
+      limited;  ///< what the force limit let through of `Lag::felt`; from there the force follows a surface that has moved or is gone
   bool touched = false;  ///< in the last tick
   bool touching = false;
   bool arriving = false;  ///< the proxy has not settled on the surface
@@ -56,6 +59,11 @@ struct LagInput {
 /// given     the spring's force in the last tick; counts only where the lag is off
 /// tick      yes
 void surface_moved(const Vec3<Newton>& given, Lag& lag);
+
+/// The part of other dampers that counts.
+///
+/// tick      yes
+Vec3<Newton> let_through(const Vec3<Newton>& others, const Lag& lag);
 
 /// returns   the spring's force that is felt; a target beyond 4095 N a component counts as that. To it comes `lag.damper`
 /// fails     never

@@ -85,6 +85,49 @@ TEST(MovingSurface, UnderAStreamAForceAtItsLimitIsLetGoAtOnce) {
   }
 }
 
+/// The same where the hand leaves the body by itself while its force still lags behind a patch elsewhere.
+TEST(MovingSurface, AHandThatSlipsOffAnEdgeKeepsNoMoreThanItsLimitLetThrough) {
+  const FieldImage before = field_of(block(20)), elsewhere = field_of(block(20.01));
+  TickSettings strong;
+  strong.stiffness = Stiffness::of(3.0);
+  strong.force_limit = Newton::of(3.0);
+  for (const int wait : {1, 5, 12}) {
+    Hand hand(before, strong);
+    hand.lead({38, 24, 30}, {38, 24, 8}, 400);
+    hand.patch(elsewhere);
+    for (int t = 0; t < wait; ++t) hand.go_to({38, 24, 8});
+    ASSERT_NEAR(length(hand.force()), 3.0, 0.01);
+    int ticks = 0, free = 0;
+    for (; ticks < 600; ++ticks) {
+      hand.go_to({std::min(41.0, 38 + 1.0 * ticks), 24, 8});
+      if (!hand.touches() && length(hand.force()) > 0) ++free;
+    }
+    ASSERT_FALSE(hand.touches());
+    EXPECT_LE(free, 3.0 / 0.0475 + 2) << wait;
+  }
+}
+
+/// What the spring holds against the dampers of a moving hand goes with them: a hand that stops is not pulled in.
+TEST(MovingSurface, OneThatIsLaidOverAMovingHandNeverPullsIt) {
+  const FieldImage before = field_of(block(20)), after = field_of(block(20.4));
+  for (const Damping damping : {Damping::of(0.01), Damping::of(0.02), Damping::of(0.05), Damping::of(0.1)}) {
+    for (const double speed : {0.2, 0.4, 0.6}) {  // voxels a tick: up to 300 mm/s
+      TickSettings damped;
+      damped.hand_damping = damping;
+      Hand hand(before, damped);
+      double z = 30;
+      while (z - speed > 20.2) hand.go_to({24, 24, z -= speed});
+      hand.patch(after);
+      for (int t = 0; t < 400; ++t) {
+        hand.go_to({24, 24, z -= speed * std::max(0.0, 1 - t / 10.0)});
+        ASSERT_GE(hand.force().z, -1e-3) << damping.raw() << " " << speed << " tick " << t;
+      }
+      ASSERT_TRUE(hand.touches());
+      EXPECT_NEAR(hand.force().z, std::min(8.0, spring(20.4 - z)), 0.02) << damping.raw() << " " << speed;
+    }
+  }
+}
+
 /// The spring that is gone gives no more than it held.
 TEST(MovingSurface, AHandThatGoesWithAForceThatIsLetGoUsesItUp) {
   const FieldImage before = field_of(block(20)), after = field_of(nothing());
