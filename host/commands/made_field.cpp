@@ -244,6 +244,7 @@ Made from_mesh(const cloud::SourceFile& source, const BuildOptions& options, Bui
   progress.begin("tree");
   const field::MeshDistance distance(cloud::placed(in_file, report.placement));
   repair.crossing = distance.crossings().faces;
+  repair.coarse = distance.coarse_parts();
   repair.cross = report.placement.to_cloud(distance.crossings().first);
   report.warnings = repair.warnings();
   progress.begin("bricks");

@@ -276,9 +276,14 @@ void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, d
   const auto is_open = [&](std::uint32_t face) { return sheets.open[sheet[face]] != 0; };
   const auto is_inward = [&](std::uint32_t face) { return !is_open(face) && six_volumes[sheet[face]] < -noise; };
   const auto is_outward = [&](std::uint32_t face) { return !is_open(face) && six_volumes[sheet[face]] > noise; };
+  std::vector<std::uint8_t> hollow(mesh.faces.size());  // a sheet
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+    if (is_inward(face)) hollow[sheet[face]] = 1;
+  }
+  const bool may_overlap = std::count(hollow.begin(), hollow.end(), 1) > 1;  // then a body may lie where two do, before no face of theirs
   std::vector<std::uint32_t> asked;
   for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-    if (is_inward(face) || is_open(face)) asked.push_back(face);
+    if (is_inward(face) || is_open(face) || (may_overlap && is_outward(face))) asked.push_back(face);
   }
   const bool is_one = std::all_of(sheet.begin(), sheet.end(), [&](std::uint32_t of) { return of == sheet[0]; });
   if (asked.empty() && is_one) return;
@@ -309,7 +314,7 @@ void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, d
   look_ahead(nullptr);
   if (std::none_of(found.begin(), found.end(), [](const Ahead& ahead) { return ahead.nothing; })) return;
   for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-    if (is_outward(face)) asked.push_back(face);
+    if (!may_overlap && is_outward(face)) asked.push_back(face);
   }
   const cloud::TriangleMesh outward = outward_pieces(mesh);
   const TriangleTree bodies(outward);
@@ -382,6 +387,11 @@ std::vector<std::string> MeshRepair::warnings() const {
   if (crossing > 0) {
     list.push_back("the mesh runs through itself: " + count_of(crossing, "face crosses", "faces cross") + " others, the first near " +
                    text(cross) + "; inside is what the faces wind round");
+  }
+  if (coarse > 0) {
+    list.push_back("so many faces cross that they were cut only into parts of " + text(1000 * coarse) +
+                   " thousandths of the mesh's size; where gaps or pieces are narrower, the surface may be wrong; unite the pieces in a "
+                   "mesh program");
   }
   if (swallowed > 0) {
     list.push_back(count_of(swallowed, "closed piece lies", "closed pieces lie") + " within others and " +

@@ -21,6 +21,7 @@ struct MeshRepair {
   bool turned = false;                                ///< all faces were turned round
   std::size_t swallowed = 0;                          ///< closed pieces that lie in others and face outwards: they bound nothing
   Eigen::Vector3d swallow = Eigen::Vector3d::Zero();  ///< the middle of a face of the first of them
+  double coarse = 0;                                  ///< not looked for here, see `MeshDistance::coarse_parts`
   std::size_t crossing = 0;                           ///< faces that run through others; not looked for here, see `MeshDistance::crossings`
   Eigen::Vector3d cross = Eigen::Vector3d::Zero();    ///< the middle of the first of them
 

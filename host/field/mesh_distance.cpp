@@ -71,7 +71,9 @@ MeshDistance::MeshDistance(cloud::TriangleMesh mesh) : mesh_(std::move(mesh)), t
   crossings_ = is_one_sheet ? face_crossings(mesh_, tree_) : face_crossings(mesh_, tree_, kNear);
   if (is_one_sheet && crossings_.faces == 0 && !crossings_.touching) return;
   turns_.emplace(mesh_);
-  outer_ = outer_faces(mesh_, tree_, *turns_, crossings_.faces > 0 || crossings_.touching);
+  auto [outer, coarse] = outer_faces(mesh_, tree_, *turns_, crossings_.faces > 0 || crossings_.touching);
+  outer_ = std::move(outer);
+  coarse_ = coarse;
   if (!outer_) return;
   tree_ = FaceTree(*outer_);
   const auto& box = turns_->box(TriangleTree::root());

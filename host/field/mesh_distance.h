@@ -47,6 +47,8 @@ class MeshDistance {
   /// Is it one sheet that neither crosses nor touches itself?
   bool is_simple() const { return !turns_; }
   const FaceCrossings& crossings() const { return crossings_; }
+  /// If so many faces cross that the outer surface is coarse there: how long its parts are, over the mesh's size (outer_faces.h). Else 0.
+  double coarse_parts() const { return coarse_; }
 
  private:
   bool is_behind(const FaceTree::Place& nearest) const;
@@ -67,9 +69,10 @@ class MeshDistance {
   std::vector<Eigen::Vector3d> vertex_normals_;
   FaceCrossings crossings_;
   std::optional<cloud::TriangleMesh> outer_;  ///< if it is not the mesh itself
-  double thinnest_ = 0;                       ///< with an outer surface: `kThinnest` of its size
-  std::vector<bool> hidden_;                  ///< then, of each face: does it not count, or only in part?
-  std::optional<TriangleTree> turns_;         ///< of a mesh for which pseudonormals do not decide
+  double coarse_ = 0;
+  double thinnest_ = 0;                ///< with an outer surface: `kThinnest` of its size
+  std::vector<bool> hidden_;           ///< then, of each face: does it not count, or only in part?
+  std::optional<TriangleTree> turns_;  ///< of a mesh for which pseudonormals do not decide
 };
 
 }  // namespace isotouch::field

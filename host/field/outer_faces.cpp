@@ -270,8 +270,7 @@ bool any_branches(const std::vector<FaceEdge>& edges) {
 
 }  // namespace
 
-std::optional<cloud::TriangleMesh> outer_faces(const cloud::TriangleMesh& mesh, const FaceTree& tree, const TriangleTree& turns,
-                                               bool meet) {
+OuterFaces outer_faces(const cloud::TriangleMesh& mesh, const FaceTree& tree, const TriangleTree& turns, bool meet) {
   const auto& box = turns.box(TriangleTree::root());
   const double size = (box.high - box.low).norm(), reach = kReach * size;
   const std::vector<FaceEdge> edges = face_edges(mesh);
@@ -302,9 +301,8 @@ std::optional<cloud::TriangleMesh> outer_faces(const cloud::TriangleMesh& mesh, 
       outer.faces.push_back({first, first + 1, first + 2});
     }
   }
-  if (outer.faces.empty() || (outer.faces.size() == mesh.faces.size() && outer.vertices.size() == mesh.vertices.size()))
-    return std::nullopt;
-  return outer;
+  if (outer.faces.empty() || (outer.faces.size() == mesh.faces.size() && outer.vertices.size() == mesh.vertices.size())) return {};
+  return {std::move(outer), finest > kFinest * size ? finest / size : 0.0};
 }
 
 }  // namespace isotouch::field

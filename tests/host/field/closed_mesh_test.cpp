@@ -219,6 +219,10 @@ TEST(ClosedMesh, HollowsMayOverlap) {
   EXPECT_THAT(refusal(together(hollowed, box_mesh({4.2, 4.2, 4.2}, {4.8, 4.8, 4.8}))),
               HasSubstr("a closed piece of 12 faces near (4.4, 4.6, 4.2) lies where hollows overlap; unite the hollows"));
   EXPECT_EQ(refusal(together(hollowed, box_mesh({2.5, 2.5, 2.5}, {3.5, 3.5, 3.5}))), "no refusal") << "a body in one of them";
+  const auto bars = together(turned(box_mesh({10, 44, 14}, {90, 56, 26})), turned(box_mesh({43.5, 9, 13.5}, {56.5, 91, 26.5})));
+  EXPECT_THAT(refusal(together(together(box_mesh({0, 0, 0}, {100, 100, 40}), bars), box_mesh({47, 47, 17}, {53, 53, 23}))),
+              HasSubstr("lies where hollows overlap"))
+      << "no face of the hollows has its middle or a corner there";
 }
 
 TEST(ClosedMesh, FacesThatDoNotShareTheirCornersAreRefusedWithTheGap) {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "host/cloud/random.h"
+#include "host/field/closed_mesh.h"
 #include "host/field/mesh_distance.h"
 #include "tests/host/field/box_mesh.h"
 
@@ -40,6 +41,12 @@ TEST(OuterFaces, SliversThatMeetEachOtherNearlyEverywhereAreCutIntoFewParts) {
   const MeshDistance distance(together(can(25, -50, 300, 1), can(20, -45, 300, 2)));
   EXPECT_GT(distance.outer().faces.size(), 10'000U) << "they do meet";
   EXPECT_LT(distance.outer().faces.size(), 300'000U);
+  EXPECT_GT(distance.coarse_parts(), 1.0 / 2048);
+  EXPECT_EQ(MeshDistance(together(box_mesh({0, 0, 0}, {1, 1, 1}), box_mesh({0.5, 0.5, 0.5}, {2, 2, 2}))).coarse_parts(), 0.0);
+  MeshRepair repair;
+  repair.coarse = distance.coarse_parts();
+  ASSERT_EQ(repair.warnings().size(), 1U);
+  EXPECT_NE(repair.warnings()[0].find("unite the pieces"), std::string::npos);
   cloud::Random random(3);
   int asked = 0;
   for (int i = 0; i < 1'000; ++i) {
