@@ -6,7 +6,7 @@ import ctypes
 import os
 import sys
 import weakref
-from collections.abc import Sequence
+from collections import deque
 from functools import cache
 from pathlib import Path
 from types import TracebackType
@@ -279,7 +279,7 @@ def yes_or_no(value: bool, name: str) -> int:
 def _has_masked(values: object) -> bool:
     if isinstance(values, np.ma.MaskedArray):
         return bool(np.any(values.mask))
-    return isinstance(values, Sequence) and not isinstance(values, (str, bytes)) and any(map(_has_masked, values))
+    return isinstance(values, (list, tuple, deque)) and any(map(_has_masked, values))
 
 
 def reals(values: npt.ArrayLike, name: str, columns: int | None) -> Reals:
