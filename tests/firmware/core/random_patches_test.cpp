@@ -155,7 +155,7 @@ TEST(MovingSurface, WhatDampersGiveChangesByLittleToo) {
       bool touched = hand.touches();
       int since = 100;
       for (int t = 0; t < 25; ++t) {
-        if (random.bits() % 8 == 0) hand.patch(pool.fields[random.bits() % pool.size()]), since = 0;
+        if (random.bits() % 8 == 0) hand.patch(pool.fields[static_cast<std::size_t>(random.bits() % pool.size())]), since = 0;
         hand.go_to(at = at + way);
         const bool by_hand = touched != hand.touches() && since > 0;  // it touches, or lets go: there the dampers begin and end
         touched = hand.touches();
