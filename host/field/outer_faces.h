@@ -18,9 +18,8 @@ inline constexpr double kThinnest = 2e-6, kNear = 4e-6;
 /// what is there inside it is within that length of the surface. Where that adds more than half a million parts, it is twice that length, or four
 /// times, until there are no more; then surface may be missing where gaps or pieces are narrower than such a part.
 struct OuterFaces {
-  std::optional<cloud::TriangleMesh>
-      mesh;           ///< the faces that stay, in their order; those that are cut have vertices of their own behind the mesh's.
-                      ///< Nothing if all faces stay, or none would
+  /// The faces that stay, in their order; those that are cut have vertices of their own behind the mesh's. Nothing if all faces stay, or none would.
+  std::optional<cloud::TriangleMesh> mesh;
   double coarse = 0;  ///< length of the smallest parts over the mesh's size, if they had to be longer
 };
 
