@@ -53,17 +53,24 @@ std::vector<std::pair<std::string, std::string>> read_description(const std::str
 }
 
 std::string sensors_command() {
-  return "for f in /sys/class/thermal/thermal_zone*/temp; do [ -r $f ] && echo \"millicelsius $(cat $f)\"; done 2>/dev/null\n"
+  return "for f in /sys/class/thermal/thermal_zone*/temp; do [ -e $f ] && echo \"millicelsius $(cat $f)\"; done 2>/dev/null\n"
          "for f in /sys/devices/system/cpu/cpu[0-9]*/cpufreq/scaling_cur_freq; do [ -r $f ] && echo \"kilohertz $(cat $f)\"; done "
          "2>/dev/null; true";
 }
 
-void read_sensors(const std::string& text, Moment& moment) {
+Sensors read_sensors(const std::string& text, Moment& moment) {
+  Sensors sensors;
   for (const std::string& line : lines_of(text)) {
     double value = 0;
-    if (std::sscanf(line.c_str(), "millicelsius %lf", &value) == 1) moment.celsius = std::max(value / 1000, moment.celsius.value_or(-273));
+    if (std::sscanf(line.c_str(), "millicelsius %lf", &value) == 1) {
+      moment.celsius = std::max(value / 1000, moment.celsius.value_or(-273));
+      ++sensors.read;
+    } else if (line.starts_with("millicelsius")) {
+      ++sensors.silent;
+    }
     if (std::sscanf(line.c_str(), "kilohertz %lf", &value) == 1) moment.megahertz = std::min(value / 1000, moment.megahertz.value_or(1e9));
   }
+  return sensors;
 }
 
 std::string timer_command(int priority, std::uint32_t period_us, double seconds) {

@@ -22,8 +22,12 @@ std::vector<std::pair<std::string, std::string>> read_description(const std::str
 
 /// Temperatures and clock rates, now.
 std::string sensors_command();
+/// Temperature sensors that gave a number, and those that are there and gave none.
+struct Sensors {
+  std::size_t read = 0, silent = 0;
+};
 /// Fills `celsius` and `megahertz` with what there is.
-void read_sensors(const std::string& text, Moment& moment);
+Sensors read_sensors(const std::string& text, Moment& moment);
 
 /// cyclictest: one thread of this priority that wakes up so often for so long; where the tick is bound to one processor, on that one, and with the power
 /// management that the tick has.

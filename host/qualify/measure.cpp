@@ -139,9 +139,12 @@ class Looks {
   void look(Figures& figures) {
     Moment moment = ask();
     try {
-      read_sensors(shell_.run(sensors_command(), kPatience).text, moment);
+      const Sensors sensors = read_sensors(shell_.run(sensors_command(), kPatience).text, moment);
+      // A sensor that never gives a number, as that of a radio that is off, counts only where there is no other.
+      if (sensors.read < sensors_ || (sensors.read == 0 && sensors.silent > 0)) note_no_sensors(figures, "a sensor of the board gave none");
+      sensors_ = std::max(sensors_, sensors.read);
     } catch (const InputError& e) {  // the ticks are measured all the same
-      if (figures.sensors_unknown.empty() && !is_over_()) figures.sensors_unknown = std::string(kNoSensors) + e.what();
+      note_no_sensors(figures, e.what());
     }
     figures.moments.push_back(moment);
   }
@@ -176,12 +179,16 @@ class Looks {
     moment.force = gives_force(status);
     return moment;
   }
+  void note_no_sensors(Figures& figures, const std::string& why) const {
+    if (figures.sensors_unknown.empty() && !is_over_()) figures.sensors_unknown = kNoSensors + why;
+  }
 
   link::Controller& controller_;
   link::BoardShell& shell_;
   Clock::time_point begun_ = Clock::now();
   protocol::StatusReport before_;
   const std::function<bool()>& is_over_;
+  std::size_t sensors_ = 0;  ///< most temperature sensors that one look has read
 };
 
 /// What was read of the ticks that nothing disturbed.

@@ -41,7 +41,10 @@ TEST(BoardQuestions, WhatTheBoardSaysIsOneLineForATerminalAndAPage) {
 
 TEST(BoardQuestions, OfManySensorsTheHottestAndOfProcessorsTheSlowestCount) {
   Moment moment;
-  read_sensors("millicelsius 41500\nmillicelsius 63125\nkilohertz 1500000\nkilohertz 600000\nnoise\n", moment);
+  const Sensors sensors =
+      read_sensors("millicelsius 41500\nmillicelsius \nmillicelsius 63125\nkilohertz 1500000\nkilohertz 600000\nnoise\n", moment);
+  EXPECT_EQ(sensors.read, 2U);
+  EXPECT_EQ(sensors.silent, 1U);
   EXPECT_DOUBLE_EQ(moment.celsius.value(), 63.125);
   EXPECT_DOUBLE_EQ(moment.megahertz.value(), 600);
   Moment none;

@@ -8,11 +8,13 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "host/error.h"
 #include "host/qualify/verdict.h"
@@ -124,18 +126,64 @@ TEST(Measure, WhereNothingWasCountedThereIsNoReport) {
   EXPECT_THROW((void)measured(controller, wish), InputError);
 }
 
+/// As long as it lives, the board's shell is this script.
+class FakeShell {
+ public:
+  FakeShell(const ScratchFolder& folder, const std::string& text) {
+    ::chmod(folder.write("sh", "#!/bin/sh\n" + text + '\n').c_str(), 0755);
+    ::setenv("PATH", (folder.path().string() + ":" + path_).c_str(), 1);
+  }
+  ~FakeShell() { ::setenv("PATH", path_.c_str(), 1); }
+  FakeShell(const FakeShell&) = delete;
+  FakeShell& operator=(const FakeShell&) = delete;
+
+ private:
+  std::string path_ = std::getenv("PATH");
+};
+
+/// What is measured of a board with these sensors at first, whose sensor 0 is removed or made unreadable after the first look.
+Figures measured_with(const std::vector<const char*>& sensors, bool is_removed) {
+  namespace fs = std::filesystem;
+  const ScratchFolder folder;  // that of the controller, too, which empties it
+  const auto sensor = [&](std::size_t number) { return folder.path() / ("thermal_zone" + std::to_string(number)) / "temp"; };
+  const test::Scripted controller({ticking([&](int histograms) {
+    if (histograms != 5) return true;
+    fs::remove(sensor(0));
+    if (!is_removed) fs::create_directories(sensor(0));
+    return true;
+  })});
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    fs::create_directories(*sensors[i] == '\0' ? sensor(i) : sensor(i).parent_path());  // a folder cannot be read
+    if (*sensors[i] != '\0') std::ofstream(sensor(i)) << sensors[i] << '\n';
+  }
+  const FakeShell shell(folder, "sed -u 's,/sys/class/thermal," + folder.path().string() + ",g' | /bin/sh");
+  return measured(controller, {.seconds = 2, .cold_seconds = 0, .priority = 0, .trace = false});
+}
+
+TEST(Measure, ATemperatureThatIsNotReadAtEachCheckIsNotKnown) {
+  const Figures gone = measured_with({"45000"}, true);
+  EXPECT_EQ(gone.moments.front().celsius, 45);
+  EXPECT_EQ(gone.moments.back().celsius, std::nullopt);
+  for (const Figures& figures :
+       {gone, measured_with({"45000"}, false), measured_with({"60000", "45000"}, true), measured_with({""}, false)}) {
+    EXPECT_EQ(figures.sensors_unknown, "the temperature could not be read at each check: a sensor of the board gave none");
+  }
+}
+
+TEST(Measure, ASensorThatNeverGivesANumberDoesNotCountBesideOthers) {
+  EXPECT_THAT(measured_with({"", "45000"}, false).sensors_unknown, testing::IsEmpty());
+  EXPECT_THAT(measured_with({}, true).sensors_unknown, testing::IsEmpty());
+}
+
 TEST(Measure, WithoutItsShellTheTicksAreMeasuredAllTheSame) {
   const ScratchFolder folder;
-  const std::string shell = (folder.path() / "sh").string(), end = (folder.path() / "end").string(), path = std::getenv("PATH");
+  const std::string end = (folder.path() / "end").string();
   const test::Scripted controller({ticking([&](int histograms) {
     if (histograms == 5) std::ofstream(end) << "now";
     return true;
   })});
-  std::ofstream(shell) << "#!/bin/sh\n(until [ -e " << end << " ]; do sleep 0.1; done; kill -9 $$) &\nexec /bin/sh\n";
-  ::chmod(shell.c_str(), 0755);
-  ::setenv("PATH", (folder.path().string() + ":" + path).c_str(), 1);
+  const FakeShell shell(folder, "(until [ -e " + end + " ]; do sleep 0.1; done; kill -9 $$) &\nexec /bin/sh");
   const Figures figures = measured(controller, {.seconds = 4, .priority = 0, .trace = false});
-  ::setenv("PATH", path.c_str(), 1);
   EXPECT_FALSE(figures.is_cut());
   EXPECT_GE(figures.seconds, 4);
   EXPECT_GE(figures.ticks, 3500U);
