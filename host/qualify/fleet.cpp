@@ -85,11 +85,22 @@ std::vector<std::optional<double>> by_keys(const std::vector<std::string>& all, 
   return ordered;
 }
 
-void mark_outliers(Fleet& fleet, std::size_t key) {
+bool is_same_board(const FleetBoard& a, const FleetBoard& b) { return a.name == b.name && a.address == b.address && a.device == b.device; }
+
+/// One value for each board that has measured it: the newest.
+std::vector<double> values_of_boards(const std::vector<FleetBoard>& reports, std::size_t key) {
   std::vector<double> values;
-  for (const FleetBoard& board : fleet.boards) {
-    if (board.values[key]) values.push_back(*board.values[key]);
+  for (const FleetBoard& report : reports) {
+    const auto replaces = [&](const FleetBoard& later) {
+      return later.values[key] && is_same_board(later, report) && later.date > report.date;
+    };
+    if (report.values[key] && std::ranges::none_of(reports, replaces)) values.push_back(*report.values[key]);
   }
+  return values;
+}
+
+void mark_outliers(Fleet& fleet, std::size_t key) {
+  std::vector<double> values = values_of_boards(fleet.boards, key);
   if (values.size() < kMinFleet) {
     if (!values.empty()) fleet.unjudged.push_back(fleet.keys[key]);
     return;
@@ -101,12 +112,6 @@ void mark_outliers(Fleet& fleet, std::size_t key) {
     if (board.values[key] && std::abs(*board.values[key] - middle) > limit) board.outliers.push_back(fleet.keys[key]);
   }
 }
-
-}  // namespace
-
-namespace {
-
-bool is_same_board(const FleetBoard& a, const FleetBoard& b) { return a.name == b.name && a.address == b.address && a.device == b.device; }
 
 /// The name of a host that several boards have does not say which is meant.
 void tell_apart(std::vector<FleetBoard>& boards) {

@@ -32,7 +32,8 @@ inline constexpr std::size_t kMinFleet = 5;
 
 /// Reads files that `isotouch qualify --json` wrote, and marks outliers. A value is an outlier if its distance from the median of all boards is larger than
 /// each of these: five times the usual distance, a fifth of the median's absolute value, and 1e-6. The usual distance is the median of all distances times
-/// 1.4826. For normally distributed values that is the standard deviation.
+/// 1.4826. For normally distributed values that is the standard deviation. Of several reports of a board the newest that has the value counts for the
+/// medians and for kMinFleet; each report is judged.
 ///
 /// fails     InputError naming the file: it cannot be read, is no such report, has no limits, has an outcome or a verdict that does not follow from the
 ///           figures, or repeats the host, address, device and date of another one

@@ -27,14 +27,14 @@ bool has_outliers(const Fleet& fleet) {
 class ReadFleet : public ::testing::Test {
  protected:
   /// A report as `json_report` writes it, with one value changed.
-  fs::path report(const std::string& host, double wakeup_us) const {
+  fs::path report(const std::string& host, double wakeup_us, const std::string& date = "2026-11-26") const {
     Figures figures;
     figures.subject.host = host;
-    figures.subject.date = "2026-11-26";
+    figures.subject.date = date;
     const std::vector<Judgement> judgements = {judged("wakeup_p999_us", "", "", 1000, wakeup_us),
                                                judged("celsius", "", "", 75, std::nullopt), judged("word_max_ticks", "", "", 1, 0.5),
                                                judged("faults", "", "", 0, 0)};
-    return folder_.write(host + ".json", json_report(figures, judgements).dump());
+    return folder_.write(host + date + ".json", json_report(figures, judgements).dump());
   }
   std::string complaint(const std::vector<fs::path>& reports) const {
     try {
@@ -105,6 +105,18 @@ TEST_F(ReadFleet, AFewBoardsCannotSayWhichIsUnlikeTheOthers) {
   const Fleet fleet = read_fleet({report("a", 20), report("b", 20), report("c", 20), report("d", 600)});
   EXPECT_FALSE(has_outliers(fleet));
   EXPECT_THAT(fleet.unjudged, ElementsAre("wakeup_p999_us", "word_max_ticks", "faults"));
+}
+
+TEST_F(ReadFleet, ABoardThatWasMeasuredOftenCountsOnceWithItsNewestValue) {
+  const std::vector<fs::path> often = {report("red", 70, "2026-11-28"), report("red", 20, "2026-11-25"), report("red", 70, "2026-11-26"),
+                                       report("red", 70, "2026-11-27")};
+  std::vector<fs::path> all = often;
+  all.push_back(report("blue", 20));
+  EXPECT_THAT(read_fleet(all).unjudged, ElementsAre("wakeup_p999_us", "word_max_ticks", "faults")) << "these are two boards";
+  for (const char* host : {"green", "grey", "black", "white"}) all.push_back(report(host, 20));
+  for (const FleetBoard& board : read_fleet(all).boards) {
+    EXPECT_EQ(!board.outliers.empty(), board.values[0] == 70) << board.name << " of " << board.date;
+  }
 }
 
 TEST_F(ReadFleet, AReportOfAnotherReleaseHasEmptyCells) {
