@@ -67,7 +67,7 @@ struct Figures {
 
   link::Histogram timer;      ///< cyclictest's wake-ups; ns
   int timer_priority = 0;     ///< of cyclictest under SCHED_FIFO
-  std::string timer_unknown;  ///< one sentence why there are none
+  std::string timer_unknown;  ///< one sentence why there are none, or only those until it ended before its time
 
   std::vector<Moment> later;  ///< looks after the cold ticks and after each piece of cyclictest, without sensors
   std::string end_unknown;    ///< one sentence why the measurement ended before its time; empty: it did not

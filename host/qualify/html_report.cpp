@@ -166,9 +166,11 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
     }
     html += std::string("<h2>") + text.title + "</h2>\n<p>" + quantiles(figures.measures[i], unit_ns, text.unit) + "</p>\n";
     if (measure == protocol::Measure::kWakeup) {
-      html += figures.timer.count > 0 ? "<p>The line beside it is cyclictest, the same rate afterwards, priority " +
-                                            std::to_string(figures.timer_priority) + ": " + quantiles(figures.timer, 1000, "us") + "</p>\n"
-                                      : "<p>Not compared with cyclictest: " + html_text(figures.timer_unknown) + "</p>\n";
+      const std::string cut = figures.timer_unknown.empty() ? "" : ". It ended before its time: " + html_text(figures.timer_unknown);
+      html += figures.timer.count > 0
+                  ? "<p>The line beside it is cyclictest, the same rate afterwards, priority " + std::to_string(figures.timer_priority) +
+                        ": " + quantiles(figures.timer, 1000, "us") + cut + "</p>\n"
+                  : "<p>Not compared with cyclictest: " + html_text(figures.timer_unknown) + "</p>\n";
     }
     if (measure == protocol::Measure::kTick) {
       html += figures.cold.count > 0 ? "<p>The line beside it is the same afterwards, while other programs wrote to memory: " +

@@ -73,6 +73,7 @@ Json json_report(const Figures& figures, const std::vector<Judgement>& judgement
   json["cold_late"] = figures.cold_late;
   json["cyclictest_priority"] = figures.timer_priority;
   json["cyclictest_us"] = figures.timer.count > 0 ? json_of(figures.timer, 1000.0) : Json{{"unknown", figures.timer_unknown}};
+  if (figures.timer.count > 0 && !figures.timer_unknown.empty()) json["cyclictest_unknown"] = figures.timer_unknown;
   json["worst_ticks"] = Json::array();
   for (const WorstTick& worst : figures.worst) {
     json["worst_ticks"].push_back({{"tick", worst.tick.number},

@@ -131,6 +131,19 @@ TEST(Report, WhatIsUnknownIsNullAndSaid) {
   EXPECT_THAT(page, HasSubstr("no setting was read"));
 }
 
+TEST(Report, ACyclictestThatEndedBeforeItsTimeIsNotShownAsAWholeOne) {
+  Figures figures = good_board();
+  EXPECT_FALSE(json_report(figures, judge(figures, {})).contains("cyclictest_unknown"));
+  EXPECT_THAT(html_report(figures, judge(figures, {})), Not(HasSubstr("before its time")));
+  figures.timer_unknown = "FATAL: killed by <an admin>";
+  const auto json = json_report(figures, judge(figures, {}));
+  EXPECT_EQ(json["cyclictest_us"]["count"], 10'000);
+  EXPECT_EQ(json["cyclictest_unknown"], figures.timer_unknown);
+  EXPECT_THAT(html_report(figures, judge(figures, {})), HasSubstr("us. It ended before its time: FATAL: killed by &lt;an admin&gt;</p>"));
+  figures.timer = {};
+  EXPECT_FALSE(json_report(figures, judge(figures, {})).contains("cyclictest_unknown")) << "cyclictest_us says it";
+}
+
 TEST(Report, ThePageStandsAloneAndShowsTheVerdict) {
   Figures figures = good_board();
   std::string page = html_report(figures, judge(figures, {}));
