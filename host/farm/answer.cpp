@@ -246,10 +246,13 @@ void keep(const fs::path& answers, const Recording& recording, const Program& pr
 
 std::optional<Answer> kept_answer(const fs::path& answers, const Recording& recording, const Program& program) {
   const Place place(answers, address_of(recording, program));
-  std::set<fs::path> files = files_in(place.differs);  // in order, so that everybody says the same
-  files.insert({place.equal, place.failed});
   std::vector<Answer> all;
-  for (const fs::path& file : files) {
+  for (const fs::path& file : files_in(place.differs)) {  // in order, so that everybody says the same
+    std::optional<Answer> answer = answer_in(file, recording.expected);
+    if (!answer) throw InputError(file.string() + ": its name is that of an answer that differs, but it holds none; copy it again, or remove it");
+    all.push_back(std::move(*answer));
+  }
+  for (const fs::path& file : {place.equal, place.failed}) {
     if (std::optional<Answer> answer = answer_in(file, recording.expected)) all.push_back(std::move(*answer));
   }
   const bool is_known = std::ranges::any_of(all, [](const Answer& answer) { return answer.outcome != Outcome::kFailed; });

@@ -53,7 +53,8 @@ void keep(const std::filesystem::path& answers, const Recording& recording, cons
 
 /// The kept answer of a task; none: there is no file, or what it holds contradicts itself or is no answer. A failure counts only without any other answer.
 ///
-/// fails     InputError: a file is there and cannot be read, or nobody can say whether one is there
+/// fails     InputError: a file is there and cannot be read, or nobody can say whether one is there; or it has the name of an answer that differs and holds
+///           none, as after a copy that was interrupted, because somebody's answer differs all the same
 std::optional<Answer> kept_answer(const std::filesystem::path& answers, const Recording& recording, const Program& program);
 
 }  // namespace isotouch::farm

@@ -355,6 +355,20 @@ TEST_F(Farm, AHalfAnswerIsNone) {
   EXPECT_EQ(run_all().asked, 1U);
 }
 
+TEST_F(Farm, OfADifferenceHalfAnAnswerIsNotNone) {
+  list("a", "1", equal());
+  run_all();
+  const fs::path half = fs::path(kept_file()).replace_extension(".differs") / "0123456789abcdef-7.json";
+  fs::create_directories(half.parent_path());
+  for (const char* text : {"", R"({"outcome": "differs", "ticks": 9, "seco)", "{}"}) {
+    write_file(half, text);
+    for (const bool runs : {false, true})
+      EXPECT_THAT(complaint([&] { runs ? (void)run_all() : (void)rows(); }), HasSubstr(half.string() + ": its name is that of")) << text;
+  }
+  fs::remove(half);
+  EXPECT_EQ(count(rows()).equal, 1U);
+}
+
 TEST_F(Farm, AKeptAnswerThatContradictsItselfIsNone) {
   list("a", "1", equal());
   const fs::path file = kept_file();
