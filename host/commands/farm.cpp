@@ -133,12 +133,6 @@ struct Bisect {
       throw;
     } catch (const EndsBisection&) {
       throw;
-    } catch (const trace::NoPatches& error) {
-      throw EndsBisection(error.what());
-    } catch (const trace::NoBeginning& error) {
-      throw EndsBisection(error.what());
-    } catch (const farm::OtherField& error) {
-      throw EndsBisection(error.what());
     } catch (const std::exception& error) {
       throw CannotBeJudged(error.what());
     }
@@ -164,7 +158,7 @@ struct Bisect {
     const Interruption interruption;
     farm::Patience own = patience;
     own.may_go_on = [&] { return !interruption.has_come(); };
-    const farm::Recording named = farm::as_recorded(recording);
+    const farm::Recording named = read_recording();
     const farm::Answer answer = farm::ask(named, {{}, {}, {}, {}, command, {}, {}}, own);
     end_if_interrupted(interruption.has_come());
     if (answer.outcome == farm::Answer::Outcome::kFailed) throw CannotBeJudged(answer.said);
@@ -173,6 +167,14 @@ struct Bisect {
                                                     : "the hash is " + answer.hash + " instead of " + named.expected);
     }
     std::printf("equal, hash %s\n", answer.hash.c_str());
+  }
+  /// The files are the same at each commit, and so is what is wrong with them.
+  farm::Recording read_recording() const {
+    try {
+      return farm::as_recorded(recording);
+    } catch (const std::exception& error) {
+      throw EndsBisection(error.what());
+    }
   }
   /// Of what std::system returned, which keeps Ctrl-C from this program as long as its shell runs.
   static bool is_by_ctrl_c(int status) {

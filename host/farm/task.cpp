@@ -18,6 +18,7 @@
 #include "host/trace/hash_text.h"
 #include "host/trace/recorded_patches.h"
 #include "host/trace/replay.h"
+#include "host/trace/trace_diff.h"
 #include "host/trace/trace_file.h"
 #include "shared/files/scoped_file.h"
 #include "shared/hash64.h"
@@ -71,6 +72,12 @@ void add_word(Program& program, const std::string& word, const fs::path& folder,
   if (!fs::is_regular_file(named) && !fs::is_directory(named)) return;
   program.files.push_back({named, hash_of(named)});
   content.add(program.files.back().hash);
+}
+
+/// Of a recording that is cut off, programs would be asked about a part, and nobody about the rest.
+void require_whole(const trace::Trace& trace) {
+  if (!trace.cut_off().empty())
+    throw InputError(trace.cut_off() + "; copy it again, or keep what there is with isotouch replay --check -o, and name that file");
 }
 
 /// Fills in the hashes of a recording's files, and its patches.
@@ -129,13 +136,12 @@ std::vector<NamedFile> files_of(const Recording& recording) {
 
 Recording as_recorded(Recording recording) {
   const trace::Trace trace = trace::read_trace(recording.trace.path);
-  if (!trace.header().has_outputs || trace.size() == 0) {
-    throw InputError(recording.trace.path.string() +
-                     ": it has no outputs to compare with; record it anew, or make them with isotouch replay -o");
-  }
+  require_whole(trace);
+  trace::require_a_recording(trace);
   const std::uint64_t named = trace.header().field_hash;
-  if (named != 0 && named != field_file::open_field(recording.field.path).view.hash())
-    throw OtherField(recording.trace.path.string() + ": " + describe(Error::kWrongField) + ", " + trace::hash_text(named) +
+  const field_file::OpenField field = field_file::open_field(recording.field.path);
+  if (named != 0 && named != field.view.hash())
+    throw InputError(recording.trace.path.string() + ": " + describe(Error::kWrongField) + ", " + trace::hash_text(named) +
                      "; give that one");
   trace::require_a_beginning(trace);
   add_hashes(recording, trace);
@@ -182,6 +188,7 @@ void add_recording(const fs::path& table, const Recording& recording) {
   if (recording.name.empty() || recording.origin.empty()) throw InputError("a recording needs a name and an origin; give both a text");
   const field_file::OpenField field = field_file::open_field(recording.field.path);
   const trace::Trace trace = trace::read_trace(recording.trace.path);
+  require_whole(trace);
   const trace::ReplayReport report = trace::replay(field.view, trace, true);
   if (report.first_difference) {
     throw InputError(recording.trace.path.string() + ": tick " + std::to_string(report.first_difference->tick) +

@@ -62,16 +62,10 @@ void add_recording(const std::filesystem::path& table, const Recording& recordin
 /// beside the table, do not change it.
 std::string address_of(const Recording& recording, const Program& program);
 
-/// A trace was recorded on another field than the one that is named with it.
-class OtherField : public InputError {
- public:
-  using InputError::InputError;
-};
-
 /// A recording that is in no table, with its hashes, the patches beside its trace, and the replay hash that the trace's own outputs have.
 ///
 /// recording   the paths of field and trace
-/// fails     InputError naming the file: it cannot be read, or the trace has no outputs or no ticks; OtherField; trace::NoBeginning
+/// fails     InputError naming the file: it cannot be read, is cut off or damaged, the trace has no outputs, no ticks or no beginning, or another field
 Recording as_recorded(Recording recording);
 
 /// fails     InputError naming the file: it cannot be read, or is not the one that was added to the table

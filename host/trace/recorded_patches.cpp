@@ -54,11 +54,11 @@ std::optional<std::vector<std::uint8_t>> patch_bytes(const Trace& trace) {
   const std::filesystem::path file = patches_of(trace);
   if (!std::filesystem::exists(file)) {
     if (!has_beginning(trace)) {
-      throw NoPatches(trace.path() +
+      throw InputError(trace.path() +
                       ": the field was patched in the middle of it, and of the ticks that it saves at a fault or after a crash a " +
                       "controller keeps no patches; look at it with isotouch trace show");
     }
-    throw NoPatches(trace.path() + ": the field was patched while it was recorded, and " + file.string() + " is not there; " +
+    throw InputError(trace.path() + ": the field was patched while it was recorded, and " + file.string() + " is not there; " +
                     (is_named ? "give the file that was written beside the trace" : "keep that file beside the trace"));
   }
   return read_file(file);

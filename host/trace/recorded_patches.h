@@ -27,12 +27,6 @@ struct RecordedPatches {
   }
 };
 
-/// A trace's patches are not there, or nobody kept them.
-class NoPatches : public InputError {
- public:
-  using InputError::InputError;
-};
-
 /// Where they are: the trace's name with the extension `.patches`; of an unfinished `NAME.trace.part`, `NAME.patches.part`.
 std::filesystem::path patches_of(const std::filesystem::path& trace);
 /// The same of a trace that was read; it may name another file.
@@ -43,7 +37,7 @@ bool begins_patched(const Trace& trace);
 
 /// The bytes of that file, as they are. A trace without a tick that takes a patch over has none.
 ///
-/// fails     NoPatches; InputError: the file cannot be read, or the trace names one and needs none
+/// fails     InputError: the file is not there, nobody kept it, it cannot be read, or the trace names one and needs none
 std::optional<std::vector<std::uint8_t>> patch_bytes(const Trace& trace);
 
 /// The same, to be written beside another trace that needs them, too.

@@ -98,7 +98,7 @@ bool has_beginning(const Trace& trace) {
 
 void require_a_beginning(const Trace& trace) {
   if (has_beginning(trace)) return;
-  throw NoBeginning(trace.path() + ": begins in the middle of a run, so it cannot be replayed; look at it with isotouch trace show");
+  throw InputError(trace.path() + ": begins in the middle of a run, so it cannot be replayed; look at it with isotouch trace show");
 }
 
 TraceHeader replay_header(const FieldView& field, const TraceHeader& inputs) {

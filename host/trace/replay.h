@@ -74,16 +74,10 @@ struct ReplayReport {
   std::optional<Difference> first_difference;  ///< only looked for with `check`
 };
 
-/// A trace of packets begins in the middle of a run, so nobody can compute its outputs.
-class NoBeginning : public InputError {
- public:
-  using InputError::InputError;
-};
-
 /// Does a trace begin where its run begins? One of positions, and one without outputs, begin anywhere. Where it does not, the settings of its header may
 /// be older than those of its first tick.
 bool has_beginning(const Trace& trace);
-/// fails     NoBeginning: it has none
+/// fails     InputError: a trace of packets begins in the middle of a run, so nobody can compute its outputs
 void require_a_beginning(const Trace& trace);
 
 /// Runs a trace's inputs.
@@ -94,7 +88,7 @@ void require_a_beginning(const Trace& trace);
 /// difference  nullptr, or takes in every tick beside the recorded one
 /// The patches of a field that was patched are read from the file beside the trace.
 ///
-/// fails       NoBeginning; InputError: patches that are not those of the trace, or are not there; a second field where the trace names one; with `check`,
+/// fails       as require_a_beginning; InputError: patches that are not those of the trace, or are not there; a second field where the trace names one; with `check`,
 ///             no outputs or no records, or another field; with `difference`, no outputs
 ReplayReport replay(const FieldView& field, const Trace& trace, bool check, TraceWriter* out = nullptr,
                     RenderingDifference* difference = nullptr);

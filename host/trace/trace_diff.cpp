@@ -9,7 +9,17 @@ namespace isotouch::trace {
 
 namespace {
 
-void check_recording(const Trace& trace) {
+const char* differing_header(const TraceHeader& a, const TraceHeader& b) {
+  if (a.field_hash != b.field_hash) return "field";
+  if (a.device != b.device) return "model";
+  if (a.period_ns != b.period_ns) return "period";
+  if (a.settings != b.settings) return "settings";
+  return nullptr;
+}
+
+}  // namespace
+
+void require_a_recording(const Trace& trace) {
   const std::string name = trace.path() + ": ";
   if (!trace.header().has_outputs) throw InputError(name + describe(Error::kNoOutputs) + "; replay it with -o first");
   if (trace.size() == 0) throw InputError(name + "holds no records, there is nothing to compare");
@@ -21,19 +31,9 @@ void check_recording(const Trace& trace) {
   }
 }
 
-const char* differing_header(const TraceHeader& a, const TraceHeader& b) {
-  if (a.field_hash != b.field_hash) return "field";
-  if (a.device != b.device) return "model";
-  if (a.period_ns != b.period_ns) return "period";
-  if (a.settings != b.settings) return "settings";
-  return nullptr;
-}
-
-}  // namespace
-
 std::optional<Difference> first_difference(const Trace& a, const Trace& b) {
-  check_recording(a);
-  check_recording(b);
+  require_a_recording(a);
+  require_a_recording(b);
   if (const char* field = differing_header(a.header(), b.header())) return Difference{0, field};
 
   const std::size_t common = std::min(a.size(), b.size());

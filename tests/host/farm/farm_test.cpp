@@ -369,6 +369,31 @@ TEST_F(Farm, OfADifferenceHalfAnAnswerIsNotNone) {
   EXPECT_EQ(count(rows()).equal, 1U);
 }
 
+TEST_F(Farm, ARecordingThatIsCutOffOrDamagedIsNoneToCompareWith) {
+  Recording recording;
+  recording.name = recording.origin = "x";
+  recording.field.path = kField;
+  recording.trace.path = folder_.path() / "x.trace";
+  const auto whole = read_file(kTrace);
+  const auto complaints = [&](const std::vector<std::uint8_t>& bytes) {
+    write_file(recording.trace.path, bytes.data(), bytes.size());
+    return std::pair(complaint([&] { (void)as_recorded(recording); }), complaint([&] { add_recording(recordings_file(), recording); }));
+  };
+  EXPECT_EQ(complaints(whole), std::pair(std::string(), std::string()));
+  recording.name = "y";
+  const auto cut = complaints({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(whole.size() * 3 / 4)});
+  EXPECT_THAT(cut.first, HasSubstr("the recording was cut off"));
+  EXPECT_THAT(cut.second, HasSubstr("or keep what there is with isotouch replay --check -o"));
+  auto flipped = whole;
+  flipped[whole.size() - 30] ^= 1;
+  const auto damaged = complaints(flipped);
+  EXPECT_THAT(damaged.first, HasSubstr("its bytes were changed after they were recorded"));
+  EXPECT_THAT(damaged.second, HasSubstr("does not answer as recorded"));
+  write_file(recording.trace.path, whole.data(), whole.size());
+  recording.field.path = kTrace;
+  EXPECT_THAT(complaint([&] { (void)as_recorded(recording); }), HasSubstr(kTrace.string()));
+}
+
 TEST_F(Farm, AKeptAnswerThatContradictsItselfIsNone) {
   list("a", "1", equal());
   const fs::path file = kept_file();

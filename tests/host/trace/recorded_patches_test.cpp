@@ -119,9 +119,9 @@ TEST(RecordedPatches, NobodyAsksForThoseThatAControllerDoesNotKeep) {
   }
   records[1].input.requests = kRequestMoved;
   const auto patches = [&] { (void)patch_bytes(Trace("crash-1.trace", header, records)); };
-  EXPECT_THAT(patches, testing::ThrowsMessage<NoPatches>(HasSubstr("a controller keeps no patches")));
+  EXPECT_THAT(patches, testing::ThrowsMessage<InputError>(HasSubstr("a controller keeps no patches")));
   records[0].input.requests = kRequestRestart;
-  EXPECT_THAT(patches, testing::ThrowsMessage<NoPatches>(HasSubstr("crash-1.patches is not there; keep that file")));
+  EXPECT_THAT(patches, testing::ThrowsMessage<InputError>(HasSubstr("crash-1.patches is not there; keep that file")));
 }
 
 TEST_F(Patched, ATraceReplaysWithThePatchesBesideIt) {

@@ -248,7 +248,7 @@ TEST(Replay, PacketsFromTheMiddleOfARunAreRefused) {
       try {
         replay(image.view(), middle, check);
         ADD_FAILURE() << "it was replayed from record " << begin;
-      } catch (const NoBeginning& error) {
+      } catch (const InputError& error) {
         EXPECT_EQ(std::string(error.what()),
                   middle.path() + ": begins in the middle of a run, so it cannot be replayed; look at it with isotouch trace show");
       }
