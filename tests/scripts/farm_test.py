@@ -109,8 +109,12 @@ class CostTest(fakes.Tree):
     def test_numbers_that_are_none_are_refused(self) -> None:
         self.assertEqual(self.cost()[0], 1)
         self.assertEqual(self.cost("--speed", "a=fast")[0], 2)
-        for speed in ("a=0", "a=nan", "a=-1"):
+        for speed in ("a=0", "a=nan", "a=-1", "a=inf"):
             self.assertEqual(self.cost("--speed", speed)[0], 1, speed)
+        for option in ("--hours", "--mean-minutes", "--task-seconds", "--shard-seconds"):
+            for number in ("inf", "nan", "-1"):
+                code, _, complaints = self.cost("--speed", "a=1", option, number)
+                self.assertEqual((code, complaints), (1, "hil/farm/cost: give at least one --speed, and finite numbers above 0\n"), f"{option} {number}")
 
 
 if __name__ == "__main__":
