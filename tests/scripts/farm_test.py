@@ -65,6 +65,17 @@ class ProgramsTest(fakes.Tree):
         self.assertEqual(self.programs(str(self.root / "set"), "release")[0], 0)
         self.assertEqual((self.root / "log").read_text(), "")
 
+    def test_the_table_is_that_of_the_last_call_which_names_what_it_no_longer_lists(self) -> None:
+        folder = self.root / "set"
+
+        def listed() -> list[str]:
+            return [json.loads(line)["commit"] for line in (folder / "programs.jsonl").read_text().splitlines()]
+
+        for commits, lists, unlisted in (("-1 HEAD~2", [self.commits[0]], 0), ("-1 HEAD", [self.commits[2]], 1), ("HEAD", [self.commits[0], self.commits[2]], 0)):
+            _, _, complaints = self.programs(str(folder), "--commits", commits, "release")
+            self.assertEqual(listed(), lists)
+            self.assertEqual("that are not listed any more: 1; name all commits and presets in one call" in complaints, unlisted == 1, complaints)
+
     def test_of_two_at_once_each_stores_its_own_commit(self) -> None:
         held, folder = self.root / "held", self.root / "set"
         held.touch()
