@@ -22,7 +22,8 @@ struct EndedProgram {
 };
 
 /// Starts a program without standard input, and waits for its end. If it takes longer than patience allows, or prints more than 16 MB to one output, it is
-/// killed. What it has started and left behind is killed in any case, unless it left the process group.
+/// killed. What it has started and left behind is killed in any case, unless it left the process group. If this program itself is killed by SIGKILL, nobody
+/// ends them.
 ///
 /// words     the program, searched for in PATH as a shell does, and its arguments; at least one
 /// fails     InputError: the program cannot be started, or no memory or no descriptor is left for what it prints and for its end
