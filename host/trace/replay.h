@@ -88,8 +88,8 @@ void require_a_beginning(const Trace& trace);
 /// difference  nullptr, or takes in every tick beside the recorded one
 /// The patches of a field that was patched are read from the file beside the trace.
 ///
-/// fails       as require_a_beginning; InputError: patches that are not those of the trace, or are not there; a second field where the trace names one; with `check`,
-///             no outputs or no records, or another field; with `difference`, no outputs
+/// fails       as require_a_beginning; InputError: patches that are not those of the trace, or are not there; a second field where the trace names one;
+///             with `check`, no outputs or no records, or another field; with `difference`, no outputs
 ReplayReport replay(const FieldView& field, const Trace& trace, bool check, TraceWriter* out = nullptr,
                     RenderingDifference* difference = nullptr);
 

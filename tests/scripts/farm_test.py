@@ -71,7 +71,8 @@ class ProgramsTest(fakes.Tree):
         def listed() -> list[str]:
             return [json.loads(line)["commit"] for line in (folder / "programs.jsonl").read_text().splitlines()]
 
-        for commits, lists, unlisted in (("-1 HEAD~2", [self.commits[0]], 0), ("-1 HEAD", [self.commits[2]], 1), ("HEAD", [self.commits[0], self.commits[2]], 0)):
+        first, _, last = self.commits
+        for commits, lists, unlisted in (("-1 HEAD~2", [first], 0), ("-1 HEAD", [last], 1), ("HEAD", [first, last], 0)):
             _, _, complaints = self.programs(str(folder), "--commits", commits, "release")
             self.assertEqual(listed(), lists)
             self.assertEqual("that are not listed any more: 1; name all commits and presets in one call" in complaints, unlisted == 1, complaints)
