@@ -1,5 +1,7 @@
 #include "firmware/control/control_socket.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -7,8 +9,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <utility>
 
+#include "shared/files/is_at.h"
 #include "shared/files/missing_folder.h"
 
 namespace isotouch::control {
@@ -41,6 +46,45 @@ std::string owner_of(const sockaddr_un& address) {
                                               : std::string("another program may listen there (") + std::strerror(why) + ")";
 }
 
+/// returns   why no socket may take this name; none: the name is free, or a socket has it that nobody listens at
+Refusal refusal_of_taken(const std::string& path) {
+  struct stat about {};
+  sockaddr_un address{};
+  if (::lstat(path.c_str(), &about) != 0 || !make_address(path, address)) return {};
+  if (!S_ISSOCK(about.st_mode)) return path + ": is a file already, and no socket; choose another path or remove it";
+  const std::string owner = owner_of(address);
+  return owner.empty() ? Refusal() : path + ": " + owner + "; stop it or choose another path";
+}
+
+/// Whoever holds a folder looks for a socket there and puts its own in the place; the next one waits, for microseconds. A program that is killed meanwhile
+/// leaves a file that nobody holds.
+class FolderLock {
+ public:
+  explicit FolderLock(std::string path) : path_(std::move(path)) {
+    constexpr int kTries = 100;  // a file system may give one file several numbers
+    for (int tries = 0; tries < kTries; ++tries) {
+      if (file_ >= 0) ::close(file_);
+      file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+      error_ = file_ < 0 ? errno : 0;
+      if (file_ < 0 || ::flock(file_, LOCK_EX) != 0 || files::is_at(file_, path_)) return;  // where there are no locks, none is waited for
+    }
+  }
+  ~FolderLock() {
+    if (file_ < 0) return;
+    ::unlink(path_.c_str());
+    ::close(file_);
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+  /// As `errno`: why its file cannot be made; 0: it can.
+  int error() const { return error_; }
+
+ private:
+  std::string path_;
+  int file_ = -1, error_ = 0;
+};
+
 }  // namespace
 
 Refusal ControlSocket::open(const std::string& path, mode_t mode, std::optional<gid_t> group) {
@@ -48,29 +92,45 @@ Refusal ControlSocket::open(const std::string& path, mode_t mode, std::optional<
   sockaddr_un address{};
   if (!make_address(path, address)) return path + ": is no path for a socket (1 to 107 characters); choose a shorter one";
   if (Refusal missing = files::refusal_of_missing_folder(path)) return missing;
-  struct stat about {};
-  if (::lstat(path.c_str(), &about) == 0) {
-    if (!S_ISSOCK(about.st_mode)) return path + ": is a file already, and no socket; choose another path or remove it";
-    const std::string owner = owner_of(address);
-    if (!owner.empty()) return path + ": " + owner + "; stop it or choose another path";
-    ::unlink(path.c_str());
+  const std::string folder = path.substr(0, path.rfind('/') + 1);
+  const std::string fresh = folder + '~';  // not longer than the path
+  const FolderLock lock(folder + ".isotouchd.lock");
+  for (const std::string& name : {path, fresh}) {
+    if (Refusal taken = refusal_of_taken(name)) return taken;
   }
-  socket_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  const mode_t before = ::umask(0777);  // nobody comes in between bind and chmod
-  const bool bound = socket_ >= 0 && ::bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
-  ::umask(before);
-  if (bound) path_ = path;
-  const bool listens = bound && (!group || ::chown(path.c_str(), static_cast<uid_t>(-1), *group) == 0) &&
-                       ::chmod(path.c_str(), mode) == 0 && ::listen(socket_, kQueue) == 0;
-  if (listens) return {};
+  errno = lock.error();
+  if (errno == 0 && listen(fresh, mode, group) && ::rename(fresh.c_str(), path.c_str()) == 0) {
+    path_ = path;
+    return {};
+  }
   const std::string why = reason();
   close();
   return path + ": cannot listen there (" + why + "); check the folder, its permissions and the group";
 }
 
+/// At a name that no tool knows: whoever finds the socket under its own name finds somebody behind it.
+bool ControlSocket::listen(const std::string& path, mode_t mode, std::optional<gid_t> group) {
+  sockaddr_un address{};
+  struct stat about {};
+  ::unlink(path.c_str());  // of a program that was killed here
+  socket_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  const mode_t before = ::umask(0777);  // nobody comes in between bind and chmod
+  const bool bound =
+      socket_ >= 0 && make_address(path, address) && ::bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  ::umask(before);
+  if (!bound) return false;
+  path_ = path;
+  if (::lstat(path.c_str(), &about) != 0) return false;
+  device_ = about.st_dev;
+  inode_ = about.st_ino;
+  return (!group || ::chown(path.c_str(), static_cast<uid_t>(-1), *group) == 0) && ::chmod(path.c_str(), mode) == 0 &&
+         ::listen(socket_, kQueue) == 0;
+}
+
 void ControlSocket::close() {
-  if (!path_.empty()) ::unlink(path_.c_str());  // while it is ours: who finds nobody behind it may take its place
-  path_.clear();
+  struct stat about {};  // somebody may have removed ours, and put another one there
+  if (!path_.empty() && ::lstat(path_.c_str(), &about) == 0 && about.st_dev == device_ && about.st_ino == inode_) ::unlink(path_.c_str());
+  path_.clear();  // before nobody listens: then the name is anybody's
   if (socket_ >= 0) ::close(socket_);
   socket_ = -1;
 }

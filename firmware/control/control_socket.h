@@ -18,14 +18,14 @@ class ControlSocket {
   ControlSocket& operator=(const ControlSocket&) = delete;
 
   /// Listens at `path`. A socket there that nobody listens at is replaced; any other file is left alone, and so is a socket of which that is not
-  /// known.
+  /// known. The file appears when somebody listens at it, with its permissions; of several programs that open it at once, one does.
   ///
   /// mode      permission bits of the socket's file
   /// group     of the file; nothing = the program's
   /// returns   why it does not listen
   Refusal open(const std::string& path, mode_t mode, std::optional<gid_t> group);
 
-  /// Takes the file away again.
+  /// Takes the file away again, if it is still this one's.
   void close();
 
   int number() const { return socket_; }
@@ -33,8 +33,12 @@ class ControlSocket {
   int accept() const;
 
  private:
+  bool listen(const std::string& path, mode_t mode, std::optional<gid_t> group);
+
   int socket_ = -1;
   std::string path_;
+  dev_t device_ = 0;  ///< with the next: the file that is ours
+  ino_t inode_ = 0;
 };
 
 /// Connects to a local socket, blocking.

@@ -8,14 +8,20 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <functional>
+#include <iterator>
+#include <thread>
+#include <utility>
 
 #include "tests/support/scratch_folder.h"
 
 namespace {
 
-mode_t mode_before_chmod = 0;  ///< of the last file that got another one
+mode_t mode_before_chmod = 0;            ///< of the last file that got another one
+std::function<void()> before_listening;  ///< called once
 
 }  // namespace
 
@@ -24,6 +30,11 @@ extern "C" int chmod(const char* path, mode_t mode) {
   struct stat about {};
   if (::stat(path, &about) == 0) mode_before_chmod = about.st_mode & 0777U;
   return static_cast<int>(::syscall(SYS_fchmodat, AT_FDCWD, path, mode));
+}
+
+extern "C" int listen(int socket, int queue) {
+  if (const auto call = std::exchange(before_listening, nullptr)) call();
+  return static_cast<int>(::syscall(SYS_listen, socket, queue));
 }
 
 namespace isotouch::control {
@@ -92,6 +103,61 @@ TEST(ControlSocket, ASocketThatAnotherListensAtIsLeftToIt) {
   ControlSocket door;
   ASSERT_EQ(door.open(path, 0600, std::nullopt).sentence(), "");
   EXPECT_EQ(opened(path), path + ": another program listens there; stop it or choose another path");
+  EXPECT_TRUE(knock(path));
+}
+
+TEST(ControlSocket, WhoeverFindsItsFileFindsSomebodyBehindIt) {
+  const ScratchFolder folder;
+  const std::string path = (folder.path() / "door").string();
+  bool was_there = true;
+  before_listening = [&] { was_there = fs::exists(path); };
+  ControlSocket door;
+  ASSERT_EQ(door.open(path, 0600, std::nullopt).sentence(), "");
+  EXPECT_FALSE(was_there);
+  EXPECT_TRUE(knock(path));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1) << "it leaves other files";
+}
+
+TEST(ControlSocket, OfTwoThatOpenItAtOnceOneDoes) {
+  const ScratchFolder folder;
+  const std::string path = (folder.path() / "door").string();
+  std::string second;
+  std::thread other;
+  before_listening = [&] {
+    other = std::thread([&] { second = opened(path); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // one that comes later is refused anyhow
+  };
+  ControlSocket door;
+  EXPECT_EQ(door.open(path, 0600, std::nullopt).sentence(), "");
+  other.join();
+  EXPECT_EQ(second, path + ": another program listens there; stop it or choose another path");
+  EXPECT_TRUE(knock(path));
+}
+
+TEST(ControlSocket, WhatAKillLeavesHindersNobody) {
+  const ScratchFolder folder;
+  const std::string path = (folder.path() / "door").string();
+  ::close(bound((folder.path() / "~").string(), SOCK_STREAM));
+  (void)folder.write(".isotouchd.lock", "");
+  EXPECT_EQ(opened(path), "");
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(ControlSocket, ThePathMayBeAsLongAsTheSystemLets) {
+  const ScratchFolder folder;
+  const std::string longest = folder.path().string() + '/' + std::string(106 - folder.path().string().size(), 'd');
+  EXPECT_EQ(opened(longest), "");
+  EXPECT_EQ(opened(longest + 'd'), longest + "d: is no path for a socket (1 to 107 characters); choose a shorter one");
+}
+
+TEST(ControlSocket, ASocketThatAnotherPutInItsPlaceIsLeftToIt) {
+  const ScratchFolder folder;
+  const std::string path = (folder.path() / "door").string();
+  ControlSocket door, other;
+  ASSERT_EQ(door.open(path, 0600, std::nullopt).sentence(), "");
+  fs::remove(path);
+  ASSERT_EQ(other.open(path, 0600, std::nullopt).sentence(), "");
+  door.close();
   EXPECT_TRUE(knock(path));
 }
 
