@@ -1,6 +1,7 @@
 """The controller, the simulated Falcon and the tool in a folder of their own, for the scripts in which they meet.
 
-Each script prints one line for everything that holds. The first thing that does not hold ends it with exit code 1, one sentence, and the ends of all logs.
+Each script prints one line for everything that holds. The first thing that does not hold ends it with exit code 1, one sentence, the place in the script, and
+the ends of all logs. A script that is ended shows the same, and so does one that takes so long that CTest is about to kill it.
 """
 
 from __future__ import annotations
@@ -13,8 +14,10 @@ import signal
 import subprocess
 import sys
 import tempfile
+import traceback
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from types import FrameType
 from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "hil"))
@@ -28,6 +31,9 @@ SETTINGS = "[loop]\npriority = 0\nexchange_priority = 0\nlock_memory = false\n[l
 
 # Seconds until what must come counts as missing: thirty other programs may want the same processor.
 PATIENCE = 90
+
+COMMAND_SECONDS = 300   # that a command may take: then it hangs
+LONG_SECONDS = 350      # that a script may take before it shows its place: CTest kills it after 400 (CMakePresets.json), and whoever is killed shows nothing
 
 Word = str | Path
 Answer = subprocess.CompletedProcess[str]
@@ -89,7 +95,7 @@ class Rig:
 
     def run(self, *command: Word, **environment: str) -> Answer:
         return subprocess.run([*self.emulator, *map(str, command)], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False,
-                              env={**os.environ, **environment})
+                              timeout=COMMAND_SECONDS, env={**os.environ, **environment})
 
     def done(self, sentence: str, *command: Word, **environment: str) -> str:
         """What a command prints that must end with 0; else the sentence, and what it says."""
@@ -135,7 +141,8 @@ class Controller:
         Path("control").unlink(missing_ok=True)
         self.process = self.rig.start("daemon.log", self.daemon, "--config", "config.toml", "--device", f"sim:{self.rig.folder}/falcon", "--control",
                                       self.rig.folder / "control", *options)
-        check(within(PATIENCE, Path("control").is_socket), "the controller does not listen")
+        within(PATIENCE, lambda: Path("control").is_socket() or self.process.poll() is not None)
+        check(Path("control").is_socket(), f"the controller does not listen; its exit code is {self.process.poll()}")
 
     def ended(self, how: signal.Signals = signal.SIGTERM) -> int:
         """The code that it ends with."""
@@ -171,14 +178,17 @@ class Controller:
 
     def wait_for(self, name: str, value: object) -> None:
         """Until the status has this value. A fault that only says that the machine was busy is resumed meanwhile."""
+        status: dict[str, Any] = {}
+
         def has_come() -> bool:
+            nonlocal status
             status = self.status()
             if value_in(status, name) == value:
                 return True
             if status.get("faults") == ["late"]:
                 self.tool("resume")
             return False
-        check(within(PATIENCE, has_come), f"{name} is not {value} but {self.value(name)}")
+        check(within(PATIENCE, has_come), f"{name} is not {value} but {value_in(status, name)}")
 
     def refuses(self, words: str, *command: Word, to: str | None = None) -> None:
         """A command that must end with exit code 1 and one sentence that holds these words."""
@@ -189,13 +199,26 @@ class Controller:
 
 def main(name: str, work: Callable[[Rig], None], emulator: Sequence[str] = ()) -> int:
     rig = Rig(emulator)
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
-    try:
-        work(rig)
-    except (Failure, OSError, subprocess.TimeoutExpired, ValueError, KeyError) as failure:
-        print(f"{name}: {type(failure).__name__}: {failure}", file=sys.stderr)
+
+    def show(sentence: str, place: str) -> None:
+        print(f"{name}: {sentence}\n{place}", end="", file=sys.stderr)
         for log in sorted(rig.folder.glob("*.log")):
             print(f"==> {log.name}\n" + "\n".join(log.read_text(errors="replace").splitlines()[-30:]), file=sys.stderr)
+        sys.stderr.flush()
+
+    def ended(*_: object) -> None:
+        raise Failure("it was ended by SIGTERM")
+
+    def takes_long(_: int, frame: FrameType | None) -> None:
+        show(f"still at work after {LONG_SECONDS} s", "".join(traceback.format_stack(frame)))
+
+    signal.signal(signal.SIGTERM, ended)
+    signal.signal(signal.SIGALRM, takes_long)
+    signal.alarm(LONG_SECONDS)
+    try:
+        work(rig)
+    except Exception as failure:   # whatever it is: the logs say why
+        show(f"{type(failure).__name__}: {failure}", traceback.format_exc())
         return 1
     finally:
         rig.clear()
