@@ -218,8 +218,9 @@ void ControlServer::dismiss_the_idle() {
   for (ControlClient& client : clients_) {
     const bool may_stay = client.greeted && !is_for_stop(client);
     const bool in_the_middle = client.leaving || client.has_unsent() || client.has_unread() || requests_.is_sending(client);
-    const bool is_late = (in_the_middle && !requests_.is_working() && client.moved_ns < since) || (!may_stay && client.opened_ns < since) ||
-                         requests_.sends_too_slowly(client);
+    const bool does_not_get_on = (in_the_middle && client.moved_ns < since) || requests_.sends_too_slowly(client);
+    const bool is_idle = does_not_get_on && !requests_.is_working();  // meanwhile it may wait for the worker
+    const bool is_late = is_idle || (!may_stay && client.opened_ns < since);
     if (client.is_open() && is_late) forget(client);
   }
 }

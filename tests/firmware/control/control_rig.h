@@ -103,6 +103,18 @@ class FakeTick {
   std::thread thread_;
 };
 
+/// The machine's, which a test may put forward.
+class AdjustableClock : public loop::Clock {
+ public:
+  std::int64_t now_ns() override { return clock_.now_ns() + ahead_ns; }
+  void sleep_until_ns(std::int64_t when_ns) override { clock_.sleep_until_ns(when_ns - ahead_ns); }
+
+  std::atomic<std::int64_t> ahead_ns{0};
+
+ private:
+  loop::LinuxClock clock_;
+};
+
 struct ControlRig {
   explicit ControlRig(std::size_t image_limit = 1 << 20, const std::function<void(ControlSettings&)>& change = {})
       : slots(image_limit),
@@ -149,7 +161,7 @@ struct ControlRig {
   }
 
   ScratchFolder scratch;
-  loop::LinuxClock clock;
+  AdjustableClock clock;
   store::CrashingFolder folder;
   loop::FieldSlots slots;
   store::FieldStore store;

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -111,6 +112,29 @@ TEST(ControlServerWorker, WhoeverWaitsForASlowDiskIsNoIdler) {
   rig.disk_is_busy.notify_all();
   EXPECT_EQ(measurer.hear().kind, Kind::kDone);
   EXPECT_EQ(other.hear().kind, Kind::kFieldList);
+}
+
+TEST(ControlServerWorker, AnUploadThatWaitsForItIsNotSlow) {
+  ControlRig rig(1 << 20, [](ControlSettings& settings) { settings.patience_ns = kLong; });
+  rig.calibration.answers("A1");
+  Speaker sender(rig.settings.path), measurer(rig.settings.path), other(rig.settings.path);
+  measurer.greet(), other.greet();
+  const auto frames = frames_of(store::packed_ball(1), 4096);
+  for (const auto& frame : std::span(frames).first(frames.size() - 1)) {
+    ASSERT_TRUE(sender.send(frame));
+    sender.hear();
+  }
+  rig.disk_is_busy = true;
+  const int before = rig.looked_up;
+  measurer.say(Kind::kCalibrate, near_angles());
+  while (rig.looked_up == before) std::this_thread::yield();
+  ASSERT_TRUE(sender.send(frames.back()));
+  rig.clock.ahead_ns = 2 * kLong;
+  EXPECT_FALSE(has_been_answered(sender, other)) << "it was closed";
+  rig.disk_is_busy = false;
+  rig.disk_is_busy.notify_all();
+  EXPECT_EQ(measurer.hear().kind, Kind::kDone);
+  EXPECT_EQ(sender.hear().kind, Kind::kRefused) << "the stored angles hold from the next start on, and no field before";
 }
 
 TEST(ControlServerAnswers, AListOfFieldsEndsWhereAFrameIsFull) {
