@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -137,19 +138,22 @@ void ControlSocket::close() {
 
 int ControlSocket::accept() const { return ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK); }
 
-int connect_to_socket(const std::string& path) {
+int connect_to_socket(const std::string& path, int patience_ms) {
   sockaddr_un address{};
   if (!make_address(path, address)) {
     errno = ENAMETOOLONG;
     return -1;
   }
   const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  const timeval patience{patience_ms / 1000, patience_ms % 1000 * 1000}, for_ever{};
+  (void)::setsockopt(socket, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
   if (socket >= 0 && ::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
     const int why = errno;
     ::close(socket);
     errno = why;
     return -1;
   }
+  (void)::setsockopt(socket, SOL_SOCKET, SO_SNDTIMEO, &for_ever, sizeof for_ever);
   return socket;
 }
 

@@ -41,9 +41,12 @@ class ControlSocket {
   ino_t inode_ = 0;
 };
 
+constexpr int kLetInMs = 30'000;  ///< until a controller lets in: a queue that is full of those who say the least takes it 13 s
+
 /// Connects to a local socket, blocking.
 ///
-/// returns   its number, or -1 with `errno` set
-int connect_to_socket(const std::string& path);
+/// patience_ms   with a controller that lets nobody in
+/// returns       its number, or -1 with `errno` set; EAGAIN: nobody was let in
+int connect_to_socket(const std::string& path, int patience_ms = kLetInMs);
 
 }  // namespace isotouch::control

@@ -12,7 +12,6 @@
 #include <cstring>
 #include <span>
 
-#include "firmware/control/control_socket.h"
 #include "shared/files/write_all.h"
 
 namespace isotouch::control {
@@ -31,9 +30,11 @@ bool pass_on(int from, int to) {
 
 }  // namespace
 
-Refusal relay(const std::string& socket_path, int input, int output) {
+Refusal relay(const std::string& socket_path, int input, int output, int patience_ms) {
   std::signal(SIGPIPE, SIG_IGN);
-  const int socket = connect_to_socket(socket_path);
+  const int socket = connect_to_socket(socket_path, patience_ms);
+  if (socket < 0 && errno == EAGAIN)
+    return socket_path + ": the controller lets nobody in; press the emergency stop if there is force, and start isotouchd again";
   if (socket < 0) {
     return socket_path + ": no controller answers there (" + std::strerror(errno) +
            "); start isotouchd, or name its socket, and check that this user may use it";

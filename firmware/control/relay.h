@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "firmware/control/control_socket.h"
 #include "shared/files/refusal.h"
 
 namespace isotouch::control {
@@ -11,7 +12,8 @@ namespace isotouch::control {
 /// Copies until the controller has closed its side; the end of the input is passed on.
 ///
 /// input, output   file numbers, blocking
-/// returns         there is no controller at `socket_path`, or the connection broke
-Refusal relay(const std::string& socket_path, int input, int output);
+/// patience_ms     as of connect_to_socket
+/// returns         there is no controller at `socket_path`, it lets nobody in, or the connection broke
+Refusal relay(const std::string& socket_path, int input, int output, int patience_ms = kLetInMs);
 
 }  // namespace isotouch::control

@@ -43,7 +43,7 @@ int connect_to(const Address& address, int patience_ms, const std::function<bool
     throw InputError(address.text + ": is too long for the path of a socket (at most 107 characters); use a shorter one");
   }
   std::copy(address.socket.begin(), address.socket.end(), name.sun_path);
-  const Clock::time_point end = end_of(patience_ms);
+  const Clock::time_point end = end_of(patience_ms > 0 ? patience_ms : kGreetingMs);
   const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
   const timeval step{0, std::chrono::microseconds(kAsksEvery).count()};
   if (socket >= 0)
@@ -58,6 +58,9 @@ int connect_to(const Address& address, int patience_ms, const std::function<bool
     complain_of_nobody(address);
   }
   if (socket >= 0) ::close(socket);
+  if (failed == EAGAIN)
+    throw InputError(address.text +
+                     ": the controller lets nobody in; press the emergency stop if there is force, and start isotouchd again");
   throw InputError(address.text + ": no controller answers there (" + std::strerror(failed) +
                    "); start isotouchd, or check the path and its permissions");
 }

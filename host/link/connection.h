@@ -16,11 +16,13 @@
 
 namespace isotouch::link {
 
+constexpr int kGreetingMs = 60'000;  ///< until a controller lets in, and until it greets: somebody may have to type a password
+
 class Connection {
  public:
   /// Connects; for a remote controller the program is that of `ssh_program`.
   ///
-  /// patience_ms   longest time to wait until the controller lets in, and until it takes a frame; 0 = for ever
+  /// patience_ms   longest time to wait until the controller lets in, and until it takes a frame; 0 = kGreetingMs, and for ever
   /// is_over       asked ten times a second while the controller is waited for; true: nobody waits for it any more. It alone decides that:
   ///               Ctrl-C and the end of the terminal leave the ssh of a remote controller alone
   /// fails         InputError: what is not there and what to do

@@ -14,7 +14,6 @@ namespace {
 
 using protocol::Kind;
 
-constexpr int kGreeting = 60'000;  ///< somebody may have to type a password
 constexpr int kAnswer = 10'000;
 constexpr int kChecking = 120'000;  ///< a large field on a slow disk, somebody else's, too: the controller does one such work at a time
 constexpr std::size_t kSentAhead =
@@ -34,7 +33,7 @@ Controller::Controller(const std::string& address, std::optional<int> longest_ms
       is_over_(std::move(is_over)),
       connection_(read_address(address), longest_ms.value_or(0), is_over_) {
   connection_.send(Kind::kHello, protocol::Hello{});
-  welcome_ = read<protocol::Welcome>(expect(Kind::kWelcome, kGreeting));
+  welcome_ = read<protocol::Welcome>(expect(Kind::kWelcome, kGreetingMs));
 }
 
 protocol::StatusReport Controller::status() {

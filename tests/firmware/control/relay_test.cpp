@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <array>
@@ -83,6 +84,22 @@ TEST(Relay, AControllerThatGoesIsNoGoodEnd) {
   EXPECT_EQ(relayed.hear().kind, protocol::Kind{});
   relayed.join();
   EXPECT_THAT(relayed.complaint, testing::HasSubstr("the controller ended the connection"));
+}
+
+TEST(Relay, AControllerThatLetsNobodyInIsNotWaitedForForEver) {
+  const ScratchFolder scratch;
+  const std::string path = (scratch.path() / "full").string();
+  const int door = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  path.copy(address.sun_path, sizeof address.sun_path - 1);
+  ASSERT_EQ(::bind(door, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  ASSERT_EQ(::listen(door, 0), 0);
+  const int first = connect_to_socket(path, 100);
+  ASSERT_GE(first, 0);
+  EXPECT_THAT(relay(path, 0, 1, 100).sentence(), testing::HasSubstr("the controller lets nobody in; press the emergency stop"));
+  ::close(first);
+  ::close(door);
 }
 
 TEST(Relay, WithoutAControllerItSaysSo) {
