@@ -20,7 +20,7 @@ from lib import endings
 
 SOAK_HZ = 10_000       # ticks a second that a soak asks for, the most that a controller takes
 LAST_LINES = 100       # of its log that are shown when a script fails
-THREAD_SECONDS = 30    # until a thread of a busy machine must have begun
+PATIENCE = 90          # seconds until what must come counts as missing: thirty other programs may want the same processor
 ASK_SECONDS = 120      # that a command of the host tool may take, unless the script says otherwise
 MAX_GROWTH_KB = 256   # of the heap of a controller that is flat
 
@@ -49,8 +49,13 @@ def whole_number(text: str, most: int = 1_000_000) -> int:
 def thread_of(process: int, name: str) -> int:
     """The number of a process's thread, which a controller that listens already may still have to begin."""
     def called_so() -> list[int]:
-        return [int(comm.parent.name) for comm in Path(f"/proc/{process}/task").glob("*/comm") if comm.read_text() == f"{name}\n"]
-    within(THREAD_SECONDS, called_so)
+        found = []
+        for comm in Path(f"/proc/{process}/task").glob("*/comm"):
+            with contextlib.suppress(FileNotFoundError, ProcessLookupError):   # it has ended meanwhile
+                if comm.read_text() == f"{name}\n":
+                    found.append(int(comm.parent.name))
+        return found
+    within(PATIENCE, called_so)
     threads = called_so()
     if len(threads) != 1:
         raise Failure(f"{len(threads)} threads are called {name}")
@@ -122,7 +127,7 @@ class Desk:
 
     def _await_socket(self, name: str, who: str) -> None:
         ended = self.started[-1].poll
-        if not within(10, lambda: (self.room / name).is_socket() or ended() is not None) or ended() is not None:
+        if not within(PATIENCE, lambda: (self.room / name).is_socket() or ended() is not None) or ended() is not None:
             raise Failure(f"{who} did not start")
 
     def ask(self, *command: str | Path, timeout: float = 0) -> subprocess.CompletedProcess[str]:

@@ -21,16 +21,13 @@ from types import FrameType
 from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "hil"))
-from lib.desk import Failure, gives_rights, thread_of, within  # noqa: E402
+from lib.desk import PATIENCE, Failure, gives_rights, thread_of, within  # noqa: E402
 
 __all__ = ["PATIENCE", "RECORDING_ENDED", "SETTINGS", "Answer", "Controller", "Failure", "Process", "Rig", "check", "code_of", "gives_rights",
            "give_back_memory", "halt", "main", "resident_kb", "thread_of", "within"]
 
 # A machine that runs tests is busy and gives no real-time rights: what is late there may be late for longer.
 SETTINGS = "[loop]\npriority = 0\nexchange_priority = 0\nlock_memory = false\n[limits]\nhold_ms = 100\nfault_age_ms = 1000\n"
-
-# Seconds until what must come counts as missing: thirty other programs may want the same processor.
-PATIENCE = 90
 
 COMMAND_SECONDS = 300   # that a command may take: then it hangs
 LONG_SECONDS = 350      # that a script may take before it shows its place: CTest kills it after 400 (CMakePresets.json), and whoever is killed shows nothing

@@ -15,7 +15,7 @@ from unittest import mock
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "integration"))
 import rig as rigs  # noqa: E402
-from rig import Controller, Rig  # noqa: E402
+from rig import Controller, Rig, thread_of  # noqa: E402
 
 HANGS = """
 import sys, time
@@ -109,6 +109,12 @@ class IntegrationRigTest(unittest.TestCase):
         code, said = self.run_work(waits)
         self.assertEqual((code, len(asked)), (1, 1))
         self.assertIn("state is not active but boot\n", said)
+
+    def test_a_thread_that_ends_while_others_are_looked_at_is_left_out(self) -> None:
+        threads = Path("/proc/self/task")
+        own = threads / str(os.getpid()) / "comm"
+        with mock.patch.object(Path, "glob", lambda *_: [threads / "0" / "comm", own]):
+            self.assertEqual(thread_of(os.getpid(), own.read_text().removesuffix("\n")), os.getpid())
 
 
 if __name__ == "__main__":
