@@ -49,11 +49,11 @@ int run(const Options& options) {
     controller.start();
     const Controller::End end = controller.supervise();
     controller.stop();
-    before = controller.legacy();
     if (end == Controller::End::kOver) {
       printer.say(controller.summary());
       return exit_code(controller);
     }
+    before = controller.legacy();
     printer.say("device: the controller starts again with the angles of the device that answers");
   }
 }

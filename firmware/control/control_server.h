@@ -42,7 +42,7 @@ struct ControlSettings {
 class ControlServer {
  public:
   ControlServer(ControlSettings settings, const ControlNeighbours& neighbours);
-  /// As `stop`.
+  /// As `stop`; then waits for the end of what the field worker does.
   ~ControlServer();
   ControlServer(const ControlServer&) = delete;
   ControlServer& operator=(const ControlServer&) = delete;
@@ -56,7 +56,7 @@ class ControlServer {
   /// Both at once.
   Refusal start();
 
-  /// Closes every connection and joins the thread. An upload that is being checked is finished first.
+  /// Closes every connection and joins the thread. What the field worker does goes on: an upload that is being checked is not waited for.
   void stop();
 
   /// The end would cut off what a client began: it records, sends a field, or has yet to get its answer. Watching does not count. Any thread.
