@@ -109,6 +109,10 @@ inline constexpr SettingRow kButtonMask{
     "mask", "", 0, 0, 15, 15, "buttons of the grip that resume from a fault, and that hold_to_run needs: the sum of 1, 2, 4, 8"};
 inline constexpr SettingRow kHoldToRun{"hold_to_run", "", 0, 0, 1, 0, "true: there is force only while one of these buttons is held"};
 
+// Standards in ticks are ticks of the standard period; at any other period these times hold.
+inline constexpr double kHoldMs = kHoldTicks.standard * kPeriod.standard * 1e-6;
+inline constexpr double kRestRampMs = kRestRampTicks.standard * kPeriod.standard * 1e-6;
+
 }  // namespace rows
 
 }  // namespace isotouch

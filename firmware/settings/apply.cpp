@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "shared/certificate.h"
+#include "shared/tick_times.h"
 
 namespace isotouch::settings {
 
@@ -28,12 +29,6 @@ std::uint8_t led(const std::string& colour) {
   if (colour == "blue") return kFalconBlue;
   return 0;
 }
-
-std::uint32_t ticks_of_ms(double ms, const Settings& settings, std::uint32_t least) {
-  return std::max(static_cast<std::uint32_t>(std::ceil(ms * settings.tick_hz / 1000)), least);
-}
-
-std::uint32_t hold_ticks(const Settings& settings) { return ticks_of_ms(settings.hold_ms, settings, 2); }
 
 std::int64_t ns_of_ms(double ms) { return std::llround(ms * 1e6); }
 
@@ -94,11 +89,11 @@ Result<DeviceModel> device_model(const Settings& settings, const std::string& se
   model.word_slew = settings.word_slew;
   model.penetration_limit = fixed<Mm>(settings.penetration_mm);
   model.speed_limit = fixed<MmPerS>(settings.speed_mm_s);
-  model.hold_ticks = hold_ticks(settings);
+  model.hold_ticks = hold_ticks(settings.hold_ms, period_ns(settings));
   model.fault_age_ns = static_cast<std::uint32_t>(ns_of_ms(settings.fault_age_ms));
   model.count_jump = settings.count_jump;
   model.play = fixed<Mm>(settings.play_mm);
-  model.ramp_ticks = ticks_of_ms(settings.ramp_after_rest_ms, settings, 1);
+  model.ramp_ticks = ticks_of_ms(settings.ramp_after_rest_ms, period_ns(settings));
   model.homing_flag = settings.keep_homing_flag ? std::uint8_t{kFalconHoming} : std::uint8_t{0};
   model.led_homing = led(settings.led_homing);
   model.led_idle = led(settings.led_idle);
@@ -115,7 +110,7 @@ TickSettings tick_settings(const Settings& settings) {
   tick.stiffness = fixed<Stiffness>(settings.stiffness.value_or(0));
   tick.damping = fixed<Damping>(settings.damping);
   tick.force_limit = fixed<Newton>(settings.force_limit_n);
-  tick.ramp_ticks = ticks_of_ms(settings.ramp_ms, settings, 1);
+  tick.ramp_ticks = ticks_of_ms(settings.ramp_ms, period_ns(settings));
   tick.friction = fixed<Ratio>(settings.friction);
   tick.friction_damping = fixed<Damping>(settings.friction_damping);
   tick.hand_damping = fixed<Damping>(settings.hand_damping);
@@ -158,7 +153,7 @@ falcon::SessionSettings session_settings(const Settings& settings) {
   session.boot.attempts = settings.attempts;
   session.boot.ignore_echo = settings.ignore_echo;
   session.boot.always_upload = settings.always_upload;
-  const std::int64_t hold_ns = std::int64_t{hold_ticks(settings)} * period_ns(settings);
+  const std::int64_t hold_ns = std::int64_t{hold_ticks(settings.hold_ms, period_ns(settings))} * period_ns(settings);
   session.device.reply_ns = std::min(ns_of_ms(settings.reply_ms), hold_ns);  // the next packet carries no force
   session.device.lost_after = settings.lost_after;
   return session;

@@ -67,10 +67,10 @@ struct Settings {
   int word_slew = static_cast<int>(rows::kWordSlew.standard);
   double penetration_mm = rows::kPenetration.standard;
   double speed_mm_s = rows::kSpeed.standard;
-  double hold_ms = 3;
+  double hold_ms = rows::kHoldMs;
   double fault_age_ms = rows::kFaultAge.standard * 1e-6;
   int count_jump = static_cast<int>(rows::kCountJump.standard);
-  double ramp_after_rest_ms = 200;
+  double ramp_after_rest_ms = rows::kRestRampMs;
   int heat_word = static_cast<int>(rows::kHeatWord.standard);
   double heat_s = rows::kHeatTime.standard * 1e-3;
   double field_mib = rows::kFieldMib;

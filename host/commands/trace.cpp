@@ -30,6 +30,7 @@
 #include "host/trace/trace_file.h"
 #include "shared/device_model.h"
 #include "shared/files/version_text.h"
+#include "shared/tick_times.h"
 #include "shared/trace.h"
 
 namespace isotouch::commands {
@@ -85,7 +86,7 @@ void make_packets(const ToPacketsOptions& options) {
   const field_file::OpenField field = field_file::open_field(options.field);
   const trace::Trace hand = trace::read_trace(options.hand, InputKind::kPosition);
   TraceHeader header = hand.header();
-  header.device = options.device == "libnifalcon" ? libnifalcon_model() : martin_hillier_model();
+  header.device = at_period(options.device == "libnifalcon" ? libnifalcon_model() : martin_hillier_model(), header.period_ns);
   const std::optional<std::vector<std::uint8_t>> patch_bytes = trace::patches_for(options.out, hand);
   const std::optional<trace::RecordedPatches> patches = trace::read_patches(hand, field.view);
   trace::Run run(field.view, header, patches ? &*patches : nullptr);

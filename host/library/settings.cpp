@@ -9,6 +9,7 @@
 #include "host/to_double.h"
 #include "shared/device_model.h"
 #include "shared/tick_settings.h"
+#include "shared/tick_times.h"
 
 namespace isotouch::library {
 
@@ -61,7 +62,7 @@ TraceHeader header_of(const isotouch_settings& settings) {
   TraceHeader header;
   header.has_outputs = true;
   header.period_ns = static_cast<std::uint32_t>(raw_of("period_ns", rows::kPeriod, settings.period_ns));
-  header.device = settings.device == ISOTOUCH_LIBNIFALCON ? libnifalcon_model() : martin_hillier_model();
+  header.device = at_period(settings.device == ISOTOUCH_LIBNIFALCON ? libnifalcon_model() : martin_hillier_model(), header.period_ns);
   header.device.play = Mm::from_raw(raw_of("play_mm", rows::kPlay, settings.play_mm));
   RawSettings raw{};
   for (std::size_t i = 0; i < kTickSettings; ++i) raw[i] = raw_of(kMembers[i].name, *kTickSettingRows[i], settings.*kMembers[i].at);

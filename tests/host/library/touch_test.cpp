@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/library/isotouch.h"
@@ -126,6 +127,38 @@ TEST(LibraryTouch, ADeviceGoesThroughTheStatesOfAController) {
   EXPECT_EQ(felt.state, ISOTOUCH_HOLD);
   EXPECT_STREQ(isotouch_state_name(7), "unknown");
   EXPECT_STREQ(isotouch_state_name(0x10004), "unknown");
+}
+
+/// A device that answers every ms, felt at some period: whether all its ticks are active, and how long it then takes without an answer until it holds, ms.
+std::pair<bool, double> active_and_ms_until_hold(std::uint32_t period_ns) {
+  const Field field;
+  isotouch_settings settings = defaults();
+  settings.period_ns = period_ns;
+  const Touch touch(field, settings);
+  const std::int32_t counts[3] = {0, 0, 0};
+  isotouch_felt felt{};
+  bool is_active = true;
+  for (std::uint32_t ns = 0, asked_ns = 0; ns < 200'000'000; ns += period_ns) {
+    if (ns >= asked_ns) {
+      EXPECT_DONE(isotouch_touch_counts(touch.handle, counts, 7, 0, &felt, sizeof felt));
+      asked_ns = ns + 1'000'000;
+    } else {
+      EXPECT_DONE(isotouch_touch_missed(touch.handle, &felt, sizeof felt));
+    }
+    is_active = is_active && (ns < 100'000'000 || felt.state == ISOTOUCH_ACTIVE);
+  }
+  EXPECT_DONE(isotouch_touch_counts(touch.handle, counts, 7, 0, &felt, sizeof felt));
+  for (int missed = 1; missed < 1000; ++missed) {
+    EXPECT_DONE(isotouch_touch_missed(touch.handle, &felt, sizeof felt));
+    if (felt.state == ISOTOUCH_HOLD) return {is_active, 1e-6 * missed * period_ns};
+  }
+  return {is_active, 0};
+}
+
+TEST(LibraryTouch, ADeviceIsHeldAfterTheSameTimeAtAnyPeriod) {
+  EXPECT_EQ(active_and_ms_until_hold(1'000'000), std::pair(true, 3.0));
+  EXPECT_EQ(active_and_ms_until_hold(250'000), std::pair(true, 3.0));
+  EXPECT_EQ(active_and_ms_until_hold(4'000'000), std::pair(true, 8.0)) << "at least two ticks";
 }
 
 TEST(LibraryTouch, AFieldMayBeFreedWhileItIsTouched) {
