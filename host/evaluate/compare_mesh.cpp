@@ -1,7 +1,7 @@
 #include "host/evaluate/compare_mesh.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
+#include <optional>
 
 #include "host/encoding/write_image.h"
 #include "host/error.h"
@@ -9,6 +9,7 @@
 #include "host/field/mesh_distance.h"
 #include "host/field/mesh_field.h"
 #include "host/to_double.h"
+#include "host/trace/stated_placement.h"
 
 namespace isotouch::evaluate {
 
@@ -16,20 +17,12 @@ namespace {
 
 constexpr std::uint64_t kSeed = 20'000;
 
-/// Can a corner of a field's box lie there in the cloud's coordinates? Those of a cloud are 1e12 at most (host/cloud/check.h), and the box is a little larger.
-bool lies_near(const Eigen::Vector3d& corner) { return (corner.array().abs() < 1e14).all(); }
-
 }  // namespace
 
 cloud::Placement placement_of(const FieldView& field) {
-  const cloud::Placement placement = encoding::info_of(field).placement;
-  const Eigen::Vector3d low = to_double(field.origin);
-  const Eigen::Vector3d high = low + to_double(field.edge) * Eigen::Vector3d(field.size[0], field.size[1], field.size[2]);
-  const bool is_known = placement.scale > 0 && std::isfinite(placement.scale) && placement.offset.allFinite();
-  if (!is_known || !lies_near(placement.to_cloud(low)) || !lies_near(placement.to_cloud(high))) {
-    throw InputError("the field does not say how its cloud was placed in the workspace; build it again");
-  }
-  return placement;
+  const std::optional<trace::StatedPlacement> stated = trace::stated_placement(field);
+  if (!stated) throw InputError("the field does not say how its cloud was placed in the workspace; build it again");
+  return {stated->scale, stated->offset};
 }
 
 SurfaceError compare_with_mesh(const FieldView& field, const cloud::TriangleMesh& mesh) {

@@ -1,7 +1,6 @@
 #include "host/library/field.h"
 
 #include <Eigen/Core>
-#include <bit>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "host/library/call.h"
 #include "host/to_double.h"
 #include "host/trace/place_sample.h"
+#include "host/trace/stated_placement.h"
 #include "shared/bytes.h"
 #include "shared/certificate.h"
 
@@ -31,7 +31,6 @@ std::uint64_t taken(field_file::StoredField stored, const std::string& name) {
 
 isotouch_field_facts facts_of(const FieldView& view) {
   const std::uint8_t* const header = view.image.data();
-  const auto real = [header](std::size_t at) { return std::bit_cast<double>(load_le<std::uint64_t>(header + at)); };
   isotouch_field_facts facts{};
   facts.hash = view.hash();
   facts.image_bytes = view.image.size();
@@ -39,12 +38,13 @@ isotouch_field_facts facts_of(const FieldView& view) {
   facts.band_mm = to_double(view.band) * facts.voxel_mm;
   facts.stiffness_n_mm = to_double(view.stiffness);
   facts.advised_stiffness_n_mm = to_double(Stiffness::from_raw(load_le<std::int32_t>(header + image_layout::kAdvisedStiffnessAt)));
-  facts.scale = real(image_layout::kScaleAt);
+  const auto placement = trace::stated_placement(view).value_or(trace::StatedPlacement{0, Eigen::Vector3d::Zero()});
+  facts.scale = placement.scale;
   const Eigen::Vector3d origin = to_double(view.origin);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     facts.low_mm[axis] = origin[static_cast<Eigen::Index>(axis)];
     facts.high_mm[axis] = facts.low_mm[axis] + facts.voxel_mm * (view.size[axis] - 1);
-    facts.offset_mm[axis] = real(image_layout::kOffsetAt + 8 * axis);
+    facts.offset_mm[axis] = placement.offset[static_cast<Eigen::Index>(axis)];
     facts.samples[axis] = static_cast<std::uint32_t>(view.size[axis]);
   }
   facts.interpolation = static_cast<std::uint32_t>(view.interpolation);

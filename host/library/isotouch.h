@@ -103,8 +103,8 @@ typedef struct isotouch_field_facts {
   double band_mm;                /**< half the width of the layer round the surface in which distances are stored */
   double stiffness_n_mm;         /**< of the surface; where it varies, the largest */
   double advised_stiffness_n_mm; /**< largest advisable one by its certificate; 0 = it has none */
-  double scale;                  /**< workspace = scale × scan + offset */
-  double offset_mm[3];
+  double scale;                  /**< workspace = scale × scan + offset; 0: not stated */
+  double offset_mm[3];           /**< zeros where scale is 0 */
   uint32_t samples[3];          /**< along x, y, z */
   uint32_t interpolation;       /**< #isotouch_interpolation */
   uint32_t is_published;        /**< 1: levels of the published method, felt by its descent */
@@ -346,7 +346,7 @@ ISOTOUCH_API isotouch_status isotouch_trace_describe(isotouch_trace trace, isoto
 ISOTOUCH_API size_t isotouch_trace_columns(void);
 
 /**
- * Name of a column, as `isotouch trace show --columns` knows it; null beyond the last. Real time: yes.
+ * Name of a column, as `isotouch trace show --columns` knows it, where `packet` is one more; null beyond the last. Real time: yes.
  *
  * @param is_integer  receives 1 where every value is a whole number, else 0. Null: not wanted
  */

@@ -52,7 +52,7 @@ class FieldFacts:
     advised_stiffness_n_mm: float
     """largest advisable one by its certificate; 0: it has none"""
     scale: float
-    """workspace = scale × scan + offset_mm"""
+    """workspace = scale × scan + offset_mm; 0: not stated"""
     offset_mm: tuple[float, float, float]
     samples: tuple[int, int, int]
     interpolation: str

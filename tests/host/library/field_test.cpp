@@ -1,14 +1,20 @@
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/library/isotouch.h"
+#include "shared/bytes.h"
+#include "shared/crc32.h"
+#include "shared/field_view.h"
 #include "tests/host/library/golden.h"
+#include "tests/support/field_image.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch {
@@ -30,6 +36,37 @@ TEST(LibraryField, SaysWhatItIs) {
     EXPECT_NEAR(facts.high_mm[axis] - facts.low_mm[axis], facts.voxel_mm * (facts.samples[axis] - 1), 1e-9) << axis;
   EXPECT_EQ(facts.varies_in_stiffness, 0U);
   EXPECT_EQ(Field("field_1_2.itf").facts().varies_in_stiffness, 1U);
+}
+
+/// The facts of a field whose header states this placement.
+isotouch_field_facts facts_with(double scale, double offset) {
+  const test::FieldImage image({16, 16, 16},
+                               [](const test::Point& p) {
+                                 return test::length(p - test::Point{8, 8, 8}) - 3.0;
+                               },
+                               {.edge_mm = 0.5, .band = 2.0, .stiffness = 0.5, .largest_slope = 1.25});
+  std::vector<std::uint8_t> bytes = image.bytes();
+  namespace at = image_layout;
+  store_le(bytes.data() + at::kScaleAt, std::bit_cast<std::uint64_t>(scale));
+  store_le(bytes.data() + at::kOffsetAt + 8, std::bit_cast<std::uint64_t>(offset));
+  store_le(bytes.data() + at::kChecksumAt, crc32(bytes.data() + at::kTotalBytesAt, bytes.size() - at::kTotalBytesAt));
+  isotouch_field field = 0;
+  isotouch_field_facts facts{};
+  EXPECT_DONE(isotouch_field_read(bytes.data(), bytes.size(), &field));
+  EXPECT_DONE(isotouch_field_describe(field, &facts, sizeof facts));
+  EXPECT_DONE(isotouch_free(field));
+  return facts;
+}
+
+TEST(LibraryField, APlacementThatCannotBeIsNone) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(facts_with(2, 3).scale, 2);
+  EXPECT_EQ(facts_with(2, 3).offset_mm[1], 3);
+  for (const auto& [scale, offset] : {std::pair(kNan, 3.0), {kInfinity, 3.0}, {0, 3}, {-1, 3}, {2, kNan}, {2, kInfinity}, {1e-300, 3}}) {
+    const isotouch_field_facts facts = facts_with(scale, offset);
+    EXPECT_EQ(facts.scale, 0) << scale << ' ' << offset;
+    EXPECT_EQ(facts.offset_mm[1], 0) << scale << ' ' << offset;
+  }
 }
 
 TEST(LibraryField, FromMemoryAndFromAFileAreOne) {
