@@ -33,9 +33,10 @@ const trace::Column& column_of(const files::TraceFile& file, const char* name) {
     refuse(ISOTOUCH_BAD_ARGUMENT, "no column is named '" + wanted + "'; choose one of " + known);
   }
   if (!trace::has(*found, file.kind(), file.header().has_outputs)) {
+    const bool would_have = trace::has(*found, file.kind(), true);
     refuse(ISOTOUCH_MISSING, file.path() + ": it has no " + wanted + ", because it holds " +
-                                 (file.header().has_outputs ? "positions of a hand; record a device for that"
-                                                            : "inputs only; compute its outputs with isotouch replay FIELD TRACE -o"));
+                                 (would_have ? "inputs only; compute its outputs with isotouch replay FIELD TRACE -o"
+                                             : "positions of a hand; record a device for that"));
   }
   return *found;
 }

@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "host/library/isotouch.h"
+#include "shared/trace.h"
 #include "tests/host/library/golden.h"
+#include "tests/support/scratch_folder.h"
 
 namespace isotouch {
 namespace {
@@ -69,6 +72,26 @@ TEST(LibraryTrace, WhatPositionsLackIsSaid) {
   double value = 0;
   EXPECT_REFUSED(isotouch_trace_doubles(positions.handle, "state", 0, 1, &value), ISOTOUCH_MISSING, "positions of a hand");
   EXPECT_DONE(isotouch_trace_doubles(positions.handle, "force_x_n", 0, 1, &value));
+}
+
+/// A replay of positions computes forces, but never a device's numbers.
+TEST(LibraryTrace, WhatInputsLackIsSaidWithWhatHelps) {
+  const ScratchFolder folder;
+  const std::string path = (folder.path() / "inputs.trace").string();
+  TraceHeader header;
+  header.record_count = 1;
+  const TraceHeaderBytes head = encode(header);
+  const TraceRecordBytes tick = encode(TraceRecord{position_input({}), {}, 0, 0});
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(head.data()), head.size())
+      .write(reinterpret_cast<const char*>(tick.data()), tick.size());
+  isotouch_trace inputs = 0;
+  ASSERT_DONE(isotouch_trace_load(path.c_str(), &inputs));
+  double value = 0;
+  EXPECT_REFUSED(isotouch_trace_doubles(inputs, "force_x_n", 0, 1, &value), ISOTOUCH_MISSING, "isotouch replay FIELD TRACE -o");
+  for (const char* column : {"homed", "state", "packet_flags", "command_1"})
+    EXPECT_REFUSED(isotouch_trace_doubles(inputs, column, 0, 1, &value), ISOTOUCH_MISSING, "positions of a hand; record a device");
+  EXPECT_DONE(isotouch_free(inputs));
 }
 
 TEST(LibraryTrace, WrongNamesAndRangesAreErrors) {
