@@ -182,8 +182,8 @@ isotouch_status isotouch_controller_watch(isotouch_controller controller, uint32
 isotouch_status isotouch_controller_record(isotouch_controller controller, uint64_t ticks, const char* path, isotouch_on_tick on_tick,
                                            void* user, uint64_t* recorded) {
   return guarded(ISOTOUCH_CONTROLLER, [&] {
-    const std::string name = file_name(path);
     if (recorded != nullptr) *recorded = 0;
+    const std::string name = file_name(path);
     if (ticks == 0) refuse(ISOTOUCH_BAD_ARGUMENT, "ticks is 0, and must be 1 or more; a second has 1e9 / period_ns of them");
     link::Controller with = another(controller);
     std::optional<trace::TraceWriter> writer;

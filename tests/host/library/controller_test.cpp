@@ -147,6 +147,11 @@ TEST(LibraryController, WrongAddressesAndArgumentsAreSentences) {
   EXPECT_REFUSED(isotouch_controller_set(0, std::string(64, 'a').c_str(), "1"), ISOTOUCH_BAD_ARGUMENT, "64 bytes");
   EXPECT_REFUSED(isotouch_controller_watch(0, 1, 1, nullptr, nullptr, nullptr), ISOTOUCH_BAD_ARGUMENT, "on_tick");
   EXPECT_REFUSED(isotouch_controller_record(0, 0, "x.trace", nullptr, nullptr, nullptr), ISOTOUCH_BAD_ARGUMENT, "ticks");
+  for (const char* path : {static_cast<const char*>(nullptr), ""}) {
+    std::uint64_t recorded = 777;
+    EXPECT_REFUSED(isotouch_controller_record(0, 1, path, nullptr, nullptr, &recorded), ISOTOUCH_BAD_ARGUMENT, "path");
+    EXPECT_EQ(recorded, 0U);
+  }
   EXPECT_REFUSED(isotouch_controller_status(0, nullptr, 0, nullptr), ISOTOUCH_BAD_HANDLE, "the handle is 0");
   EXPECT_EQ(controller, 0U);
 }
