@@ -351,3 +351,28 @@ test("the worker runs one tick a millisecond, reports them all, and its trace re
   await server.take({ kind: "sample", places: new Float64Array(3), ticket: 7 });
   assert.match(around.take("refused").at(-1).sentence, /no field/);
 });
+
+test("addresses and sizes above 2 GiB are none below zero", () => {
+  const HIGH = 2 ** 31 + 64;
+  const signed = HIGH | 0;
+  const memory = new WebAssembly.Memory({ initial: 2 ** 15 + 1 });
+  const room = new Uint8Array(memory.buffer, HIGH);
+  room.set([7, 8, 9, 0]);
+  const address = () => signed;
+  const one = { memory, batch: () => 1, setting_count: () => 0, set_device: () => 0, device_bytes: address, places: address, numbers: address };
+  const touch = new Touch({ ...one, image_room: address, load: address, replay_room: address, replay: address, trace_address: address, trace_bytes: () => 3,
+                            sample: () => 0 });
+  assert.deepEqual([...touch.trace()], [7, 8, 9]);
+  assert.equal(sentence(() => touch.load(new TextEncoder().encode("no field\0"), "a")), "a: no field");
+  assert.equal(sentence(() => touch.replay(new TextEncoder().encode("no trace\0"), "b")), "b: no trace");
+  touch.setDevice(new Uint8Array(128).fill(3));
+  assert.deepEqual([...room.subarray(0, 129)], [...new Array(128).fill(3), 0]);
+  assert.deepEqual([...touch.sample([1, 2, 3])], [1]);
+  const bytes = [];
+  const large = new Touch({ ...one, trace_address: () => 64, trace_bytes: address });
+  const { slice } = Uint8Array.prototype;
+  Uint8Array.prototype.slice = (begin, end) => bytes.push(begin, end);
+  large.trace();
+  Uint8Array.prototype.slice = slice;
+  assert.deepEqual(bytes, [64, 64 + HIGH]);
+});

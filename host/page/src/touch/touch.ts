@@ -74,7 +74,10 @@ export interface Replayed {
   readonly firstDifference: number | null;
 }
 
-/** Exports of touch.wasm (host/touch/module/exports.cpp). Addresses are numbers; those of sentences are 0 when nothing was refused. */
+/**
+ * Exports of touch.wasm (host/touch/module/exports.cpp). Addresses are numbers; those of sentences are 0 when nothing was refused. JavaScript gets 32 bits as
+ * a signed number: addresses and sizes are taken with `>>> 0`, because a memory may be larger than 2 GiB.
+ */
 interface Exports {
   readonly memory: WebAssembly.Memory;
   image_room(bytes: number): number;
@@ -158,7 +161,7 @@ export class Touch {
    */
   load(image: Uint8Array, name = "the field"): Field {
     this.#field = null;
-    const room = this.#exports.image_room(image.byteLength);
+    const room = this.#exports.image_room(image.byteLength) >>> 0;
     if (room === 0) throw new TouchError(`${name}: there is not enough memory for its ${image.byteLength} bytes`);
     new Uint8Array(this.#exports.memory.buffer).set(image, room);
     this.#check(this.#exports.load(), `${name}: `);
@@ -198,7 +201,7 @@ export class Touch {
       if (device.byteLength !== DEVICE_BYTES) {
         throw new TouchError(`the device model has ${device.byteLength} bytes instead of ${DEVICE_BYTES}`);
       }
-      new Uint8Array(this.#exports.memory.buffer).set(device, this.#exports.device_bytes());
+      new Uint8Array(this.#exports.memory.buffer).set(device, this.#exports.device_bytes() >>> 0);
     }
     this.#check(this.#exports.set_device());
   }
@@ -259,8 +262,9 @@ export class Touch {
 
   /** The trace so far as a whole file, which `isotouch replay --check FIELD TRACE` accepts; empty without a tick. Recording goes on. */
   trace(): Uint8Array {
-    const bytes = this.#exports.trace_bytes();
-    return new Uint8Array(this.#exports.memory.buffer).slice(this.#exports.trace_address(), this.#exports.trace_address() + bytes);
+    const bytes = this.#exports.trace_bytes() >>> 0;
+    const address = this.#exports.trace_address() >>> 0;
+    return new Uint8Array(this.#exports.memory.buffer).slice(address, address + bytes);
   }
 
   /**
@@ -271,7 +275,7 @@ export class Touch {
    * @param patches the bytes of the recording's `.patches`, if the field changed while it was felt
    */
   replay(trace: Uint8Array, name = "the recording", patches = new Uint8Array()): Replayed {
-    const room = this.#exports.replay_room(trace.byteLength, patches.byteLength);
+    const room = this.#exports.replay_room(trace.byteLength, patches.byteLength) >>> 0;
     if (room === 0) throw new TouchError(`${name}: there is not enough memory for its ${trace.byteLength + patches.byteLength} bytes`);
     const memory = new Uint8Array(this.#exports.memory.buffer);
     memory.set(trace, room);
@@ -293,19 +297,20 @@ export class Touch {
 
   #text(address: number): string {
     const bytes = new Uint8Array(this.#exports.memory.buffer);
-    return new TextDecoder().decode(bytes.slice(address, bytes.indexOf(0, address)));
+    const begin = address >>> 0;
+    return new TextDecoder().decode(bytes.slice(begin, bytes.indexOf(0, begin)));
   }
 
   /** A view; it ends with the next growth of the memory. */
   #numbers(count: number): Float64Array {
-    return new Float64Array(this.#exports.memory.buffer, this.#exports.numbers(), count);
+    return new Float64Array(this.#exports.memory.buffer, this.#exports.numbers() >>> 0, count);
   }
 
   #inBatches(places: ArrayLike<number>, use: (count: number, done: number) => void): void {
     const all = countOf(places);
     for (let done = 0; done < all; done += this.#batch) {
       const count = Math.min(this.#batch, all - done);
-      const room = new Float64Array(this.#exports.memory.buffer, this.#exports.places(), 3 * count);
+      const room = new Float64Array(this.#exports.memory.buffer, this.#exports.places() >>> 0, 3 * count);
       for (let i = 0; i < 3 * count; ++i) room[i] = places[3 * done + i] ?? NaN;
       use(count, done);
     }
