@@ -183,7 +183,7 @@ class Field(Handle):
         """What a hand feels on a path of shape (n, 3), mm, one position a tick: an array of n elements of type FELT.
 
         save      writes the ticks as a trace that replays to the bit
-        Raises ArgumentError, DataError.
+        Raises ArgumentError, DataError, and MissingError where an empty path is to be saved.
         """
         path = reals(path_mm, "the path", 3)
         wanted = settings or Settings()

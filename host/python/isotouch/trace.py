@@ -75,7 +75,7 @@ def describe_trace(path: str | os.PathLike[str]) -> TraceFacts:
 def load_trace(path: str | os.PathLike[str], columns: Iterable[str] | None = None) -> npt.NDArray[np.void]:
     """A trace as a structured array, one element a tick.
 
-    columns   their names, as `isotouch trace show --columns` knows them; None: all that this trace has
+    columns   their names, as `isotouch trace show --columns` knows them, all but `packet`; None: all that this trace has
     Whole numbers are int64, hashes uint64, all others float64. A value that a single tick lacks is -1.
 
     Warns (CutOffWarning) of a file that ends before it should; its whole ticks are returned.

@@ -238,6 +238,8 @@ class TouchTest(unittest.TestCase):
             touch.counts([0, 0, 0])
         with self.assertRaisesRegex(isotouch.MissingError, "record_ticks"):
             touch.save("/tmp/never.trace")
+        with self.assertRaises(isotouch.MissingError):
+            field.touch(np.zeros((0, 3)), save="/tmp/never.trace")
 
 
 class TraceTest(unittest.TestCase):
@@ -279,6 +281,8 @@ class TraceTest(unittest.TestCase):
             isotouch.load_trace(GOLDEN / "positions.trace", columns=["state"])
         with self.assertRaisesRegex(isotouch.ArgumentError, "choose among tick"):
             isotouch.load_trace(GOLDEN / "positions.trace", columns=["colour"])
+        with self.assertRaisesRegex(isotouch.ArgumentError, "packet"):   # the one that `isotouch trace show` has besides
+            isotouch.load_trace(GOLDEN / "packets.trace", columns=["packet"])
         for path in ("/nowhere.trace", str(FIELD)):
             with self.assertRaises(isotouch.DataError):
                 isotouch.load_trace(path)
