@@ -7,6 +7,7 @@
 
 #include "host/board_commands/commands.h"
 #include "host/board_commands/controller_options.h"
+#include "host/board_commands/print_json.h"
 #include "host/error.h"
 #include "host/link/controller.h"
 #include "host/trace/hash_text.h"
@@ -46,7 +47,7 @@ void print(const std::vector<protocol::FieldEntry>& fields, bool as_json) {
                   static_cast<unsigned long long>(field.packed_bytes), name.c_str());
     }
   }
-  if (as_json) std::printf("%s\n", nlohmann::ordered_json{{"fields", json}}.dump(2).c_str());
+  if (as_json) print_json(nlohmann::ordered_json{{"fields", json}});
 }
 
 void run(const FieldsOptions& options) {

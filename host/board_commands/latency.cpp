@@ -8,6 +8,7 @@
 
 #include "host/board_commands/commands.h"
 #include "host/board_commands/controller_options.h"
+#include "host/board_commands/print_json.h"
 #include "host/link/controller.h"
 
 namespace isotouch::commands {
@@ -50,7 +51,7 @@ void run(const LatencyOptions& options) {
     for (const protocol::Bin& bin : histogram.bins) bins.push_back({{"up_to", in_unit(name, bin.upper, period_ns)}, {"count", bin.count}});
     json[name.key] = {{"count", histogram.count}, {"bins", bins}};
   }
-  if (options.json) std::printf("%s\n", json.dump(2).c_str());
+  if (options.json) print_json(json);
 }
 
 }  // namespace

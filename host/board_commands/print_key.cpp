@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "host/error.h"
+#include "host/files/json_text.h"
 
 namespace isotouch::commands {
 
@@ -12,7 +13,7 @@ namespace {
 std::string plain(const nlohmann::ordered_json& value) {
   if (value.is_null()) return {};
   if (value.is_string()) return value.get<std::string>();
-  if (!value.is_array()) return value.dump();
+  if (!value.is_array()) return json_text(value);
   std::string text;
   for (const auto& part : value) text += (text.empty() ? "" : " ") + plain(part);
   return text;

@@ -14,6 +14,7 @@
 #include "host/board_commands/interruption.h"
 #include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
+#include "host/board_commands/print_json.h"
 #include "host/error.h"
 #include "host/link/controller.h"
 #include "host/link/status.h"
@@ -64,7 +65,7 @@ void run(const RecordOptions& options) {
   if (kept.records < taken) ended = "the disk is full; free space on it";
   if (options.json) {
     const nlohmann::ordered_json json{{"ticks", kept.records}, {"hash", trace::hash_text(kept.chain)}};
-    std::printf("%s\n", json.dump(2).c_str());
+    print_json(json);
   } else {
     std::fprintf(text_stream(options.out), "%llu ticks, replay hash %s\n", static_cast<unsigned long long>(kept.records),
                  trace::hash_text(kept.chain).c_str());

@@ -6,6 +6,7 @@
 
 #include "host/board_commands/commands.h"
 #include "host/board_commands/controller_options.h"
+#include "host/board_commands/print_json.h"
 #include "host/board_commands/print_key.h"
 #include "host/link/controller.h"
 #include "host/link/status.h"
@@ -55,7 +56,7 @@ void run(const StatusOptions& options) {
   const link::ControllerStatus seen = link::whole_status(controller);
   if (!options.key.empty()) return print_key(link::to_json(seen), options.key);
   if (!options.json) return print_text(seen);
-  std::printf("%s\n", link::to_json(seen).dump(2).c_str());
+  print_json(link::to_json(seen));
 }
 
 }  // namespace

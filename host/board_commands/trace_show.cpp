@@ -1,5 +1,6 @@
 /// isotouch trace show: the records of a trace as a table, for spreadsheets and scripts.
 #include "host/board_commands/trace_show.h"
+#include "host/board_commands/print_json.h"
 
 #include <algorithm>
 #include <array>
@@ -126,7 +127,7 @@ Json header_json(const trace::Trace& trace) {
 }
 
 /// One record a line, so that a long trace does not have to fit into memory twice.
-void print_json(const trace::Trace& trace, const std::vector<const trace::Column*>& columns) {
+void print_records(const trace::Trace& trace, const std::vector<const trace::Column*>& columns) {
   std::printf("{\"header\": %s,\n\"records\": [", header_json(trace).dump().c_str());
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
     const trace::Row row = trace::row_of(trace, tick);
@@ -141,9 +142,9 @@ void run(const TraceShowOptions& options) {
   const std::vector<const trace::Column*> columns = chosen(options);
   const trace::Trace trace = trace::read_trace(options.trace);
   if (options.header_only) {
-    std::printf("%s\n", Json{{"header", header_json(trace)}}.dump(2).c_str());
+    print_json(Json{{"header", header_json(trace)}});
   } else {
-    options.json ? print_json(trace, columns) : print_csv(trace, columns);
+    options.json ? print_records(trace, columns) : print_csv(trace, columns);
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw InputError("standard output: could not be written whole");
 }

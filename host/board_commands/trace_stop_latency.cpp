@@ -1,5 +1,6 @@
 #include "host/board_commands/trace_stop_latency.h"
 #include "host/board_commands/number_in.h"
+#include "host/board_commands/print_json.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -40,7 +41,7 @@ nlohmann::ordered_json slowest(const Responses& responses) {
   return most;
 }
 
-void print_json(const Responses& responses) {
+void print_rows(const Responses& responses) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const trace::FaultResponse& response : responses) {
     nlohmann::ordered_json ticks = nullptr;
@@ -48,7 +49,7 @@ void print_json(const Responses& responses) {
     rows.push_back({{"tick", response.tick}, {"condition", response.condition}, {"ticks_to_zero", ticks}, {"state", state_of(response)}});
   }
   const nlohmann::ordered_json json{{"ticks_to_zero", slowest(responses)}, {"responses", rows}};
-  std::printf("%s\n", json.dump(2).c_str());
+  print_json(json);
 }
 
 void print_text(const Responses& responses) {
@@ -62,7 +63,7 @@ void print_text(const Responses& responses) {
 
 void run(const TraceStopLatencyOptions& options) {
   const Responses responses = trace::fault_responses(trace::read_trace(options.trace, InputKind::kPacket));
-  options.json ? print_json(responses) : print_text(responses);
+  options.json ? print_rows(responses) : print_text(responses);
   for (const trace::FaultResponse& response : responses) {
     if (response.ticks && *response.ticks <= options.most) continue;
     throw ComparisonFailed(options.trace.string() + ": tick " + std::to_string(response.tick) + " shows '" + response.condition +

@@ -15,6 +15,7 @@
 #include "host/board_commands/controller_options.h"
 #include "host/board_commands/interruption.h"
 #include "host/board_commands/number_in.h"
+#include "host/board_commands/print_json.h"
 #include "host/error.h"
 #include "host/field_file/image.h"
 #include "host/field_file/open_field.h"
@@ -149,7 +150,7 @@ void run(const UploadOptions& options) {
                                       {"state", state_name(status.state)},
                                       {"sentence", sentence},
                                       {"faults", fault_names(status.faults)}};
-    std::printf("%s\n", json.dump(2).c_str());
+    print_json(json);
   } else {
     std::printf("the state is %s\n", sentence.c_str());
   }

@@ -12,6 +12,7 @@
 #include "host/board_commands/controller_options.h"
 #include "host/board_commands/interruption.h"
 #include "host/board_commands/number_in.h"
+#include "host/board_commands/print_json.h"
 #include "host/error.h"
 #include "host/link/controller.h"
 #include "host/to_double.h"
@@ -40,7 +41,7 @@ void print_line(std::uint64_t tick, const TraceRecord& record, bool json) {
                                       {"age", record.input.age},
                                       {"buttons", record.output.buttons},
                                       {"status", record.output.status}};
-    std::printf("%s\n", line.dump().c_str());
+    print_json(line, -1);
   } else {
     std::printf("%llu,%s,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%u,%u,%u\n", static_cast<unsigned long long>(tick), state, hip.x(),
                 hip.y(), hip.z(), proxy.x(), proxy.y(), proxy.z(), force.x(), force.y(), force.z(), unsigned{record.input.age},

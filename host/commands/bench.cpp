@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/board_commands/number_in.h"
+#include "host/board_commands/print_json.h"
 #include "host/cloud/random.h"
 #include "host/commands/commands.h"
 #include "host/commands/field_bench.h"
@@ -137,7 +138,7 @@ void bench_cold_tick(int ticks, bool as_json) {
                                          {"device_cold", times_json(cold)},
                                          {"grid_1024_warm", times_json(large_warm)},
                                          {"grid_1024_cold", times_json(large_cold)}};
-    std::printf("%s\n", json.dump(2).c_str());
+    print_json(json);
     return;
   }
   print("counts to commands, warm", warm);
@@ -197,7 +198,7 @@ void bench_tick(const std::vector<std::filesystem::path>& fields, bool as_json) 
         {{"file", file.string()}, {"median_ns", times.median_ns}, {"p99_ns", times.p99_ns}, {"p999_ns", times.p999_ns}});
     if (!as_json) print(file.filename().string(), times);
   }
-  if (as_json) std::printf("%s\n", json.dump(2).c_str());
+  if (as_json) print_json(json);
 }
 
 void bench_field(bool as_json) {
@@ -214,7 +215,7 @@ void bench_field(bool as_json) {
                   times.published_seconds, ratio);
     }
   }
-  if (as_json) std::printf("%s\n", json.dump(2).c_str());
+  if (as_json) print_json(json);
 }
 
 nlohmann::ordered_json rows_json(const std::vector<GrowthRow>& rows) {
@@ -261,7 +262,7 @@ void bench_growth(bool quick, bool as_json) {
   bar.end();
   if (as_json) {
     const nlohmann::ordered_json json = {{"points", rows_json(growth.points)}, {"grids", rows_json(growth.grids)}};
-    std::printf("%s\n", json.dump(2).c_str());
+    print_json(json);
     return;
   }
   print("more points of a sphere on the default grid", growth.points);

@@ -12,6 +12,7 @@
 #include "host/board_commands/choice.h"
 #include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
+#include "host/board_commands/print_json.h"
 #include "host/cloud/file_kind.h"
 #include "host/commands/box_option.h"
 #include "host/commands/build_json.h"
@@ -138,12 +139,12 @@ void add_build(CLI::App& app) {
       try {
         return built_field(*options);
       } catch (const Implausible& refused) {
-        if (*json) std::printf("%s\n", refused_json(refused.report).dump(2).c_str());
+        if (*json) print_json(refused_json(refused.report));
         throw;
       }
     }();
     if (*json) {
-      std::printf("%s\n", to_json(built.report, built.field.view).dump(2).c_str());
+      print_json(to_json(built.report, built.field.view));
     } else {
       print_text(built.report, built.field.view, options->out);
     }

@@ -11,6 +11,7 @@
 
 #include "host/board_commands/controller_options.h"
 #include "host/board_commands/number_in.h"
+#include "host/board_commands/print_json.h"
 #include "host/commands/commands.h"
 #include "host/error.h"
 #include "host/evaluate/calibrate.h"
@@ -54,7 +55,7 @@ void print(const CalibrateOptions& options, const protocol::Calibrate& calibrati
   if (options.json) {
     const nlohmann::ordered_json json{
         {"serial", serial}, {"angle_at_zero_deg", degrees}, {"turned_deg", found.turned_deg}, {"apart_deg", found.apart_deg}};
-    std::printf("%s\n", json.dump(2).c_str());
+    print_json(json);
     return;
   }
   std::printf("%s: arms at count 0 at %.3f, %.3f, %.3f degrees (top, right, left), %+.3f, %+.3f, %+.3f from before\n", serial.c_str(),

@@ -11,6 +11,7 @@
 
 #include "host/board_commands/choice.h"
 #include "host/board_commands/output.h"
+#include "host/board_commands/print_json.h"
 #include "host/cloud/check.h"
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
@@ -131,7 +132,7 @@ std::vector<fs::path> draw(const DemoOptions& options, const std::string& title,
   return files;
 }
 
-void print_json(const BuiltField& built, const Tour& tour, const SphereForce& force, const std::vector<fs::path>& pictures) {
+void print_report(const BuiltField& built, const Tour& tour, const SphereForce& force, const std::vector<fs::path>& pictures) {
   nlohmann::ordered_json stages = nlohmann::ordered_json::object();
   for (const auto& [stage, seconds] : built.report.stages) stages[stage] = seconds;
   nlohmann::ordered_json json = {
@@ -147,7 +148,7 @@ void print_json(const BuiltField& built, const Tour& tour, const SphereForce& fo
       {"force", {{"magnitude_rms_pct", force.worst.magnitude_rms_pct}, {"direction_max_deg", force.worst.direction_max_deg}}}};
   json["pictures"] = nlohmann::ordered_json::array();
   for (const fs::path& picture : pictures) json["pictures"].push_back(picture.string());
-  std::printf("%s\n", json.dump(2).c_str());
+  print_json(json);
 }
 
 void print_text(const std::string& title, const BuiltField& built, const Tour& tour, const SphereForce& force,
@@ -204,7 +205,7 @@ void run(const DemoOptions& options) {
   say("drawing");
   const std::vector<fs::path> pictures = draw(options, title, built, tour, force);
   if (options.json) {
-    print_json(built, tour, force, pictures);
+    print_report(built, tour, force, pictures);
   } else {
     print_text(title, built, tour, force, pictures);
     print_next(options, title, tour, pictures);

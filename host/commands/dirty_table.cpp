@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/board_commands/print_json.h"
 #include "host/cloud/mesh.h"
 #include "host/cloud/ply.h"
 #include "host/cloud/read_mesh.h"
@@ -146,7 +147,7 @@ std::size_t print_dirty(const DirtyChoice& choice, bool json) {
   }
   bar.end();
   if (json) {
-    std::printf("%s\n", nlohmann::ordered_json{{"dirty", list}, {"wrong_but_plausible", believed}}.dump(2).c_str());
+    print_json(nlohmann::ordered_json{{"dirty", list}, {"wrong_but_plausible", believed}});
   } else {
     std::printf("%zu builds: %zu wrong or refused, %zu of them called plausible; %zu right, but in doubt\n", all, wrong, believed, doubted);
     if (other) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/board_commands/print_json.h"
 #include "host/commands/commands.h"
 #include "host/commands/damage_table.h"
 #include "host/commands/dirty_table.h"
@@ -193,7 +194,7 @@ void run(const std::string& only, bool json, bool published) {
       all["published"] = method_json(*theirs);
       all["published"]["table1"] = table_json(table);
     }
-    std::printf("%s\n", all.dump(2).c_str());
+    print_json(all);
     return;
   }
   print(ours, "default method, 3,756 points, one voxel = one unit of the shape");

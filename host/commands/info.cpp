@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "host/board_commands/print_json.h"
 #include "host/board_commands/print_key.h"
 #include "host/commands/commands.h"
 #include "host/commands/progress_bar.h"
@@ -186,7 +187,7 @@ void add_info(CLI::App& app) {
     const DescribedField field = field_file::describe_field(file, options->field.string(), options->surface);
     if (!options->key.empty()) return print_key(field_json(field, options->surface), options->key);
     if (options->json) {
-      std::printf("%s\n", field_json(field, options->surface).dump(2).c_str());
+      print_json(field_json(field, options->surface));
       return;
     }
     print_text(field);

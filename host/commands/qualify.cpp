@@ -15,6 +15,7 @@
 #include "host/board_commands/output.h"
 #include "host/commands/commands.h"
 #include "host/error.h"
+#include "host/files/json_text.h"
 #include "host/files/whole_file.h"
 #include "host/qualify/measure.h"
 #include "host/qualify/report.h"
@@ -75,7 +76,7 @@ void run(QualifyOptions& options) {
     }
   };
   write(options.page, qualify::html_report(figures, judgements));
-  write(options.json, qualify::json_report(figures, judgements).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  write(options.json, json_text(qualify::json_report(figures, judgements), 2) + "\n");
   if (unwritten) std::rethrow_exception(unwritten);
   if (figures.is_cut()) throw EndedEarly(figures.end_unknown + "; the figures are those until then: " + qualify::sentence(judgements));
   if (!qualify::is_fit(judgements)) throw ComparisonFailed(options.to + ": " + qualify::sentence(judgements));

@@ -13,6 +13,7 @@
 
 #include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
+#include "host/board_commands/print_json.h"
 #include "host/cloud/mesh.h"
 #include "host/cloud/placement.h"
 #include "host/cloud/ply.h"
@@ -109,7 +110,7 @@ void scan_trace(const ScanOptions& options) {
   const cloud::OrientedPoints points = evaluate::touch_points(trace, options.touch, report);
   cloud::write_ply(options.out, points, "isotouch scan of a trace, workspace mm");
   if (options.json) {
-    std::printf("%s\n", touch_json(report).dump(2).c_str());
+    print_json(touch_json(report));
   } else {
     print(options, report);
   }
@@ -138,7 +139,7 @@ void scan_mesh(const ScanOptions& options) {
     json["strokes"] = scan.strokes;
     json["deepest_mm"] = scan.deepest_mm;
     json["coverage"] = covered;
-    std::printf("%s\n", json.dump(2).c_str());
+    print_json(json);
     return;
   }
   std::fprintf(stderr, "%s: %.1f s in %zu strokes, %zu of %zu targets reached, at most %.2f mm deep\n", options.trace.string().c_str(),

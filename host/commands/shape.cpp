@@ -9,6 +9,7 @@
 #include "host/board_commands/choice.h"
 #include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
+#include "host/board_commands/print_json.h"
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
 #include "host/commands/commands.h"
@@ -43,7 +44,7 @@ void make_shape(const ShapeOptions& options) {
                                            {"points", points.size()},
                                            {"seed", options.seed},
                                            {"file", options.out.string()}};
-    std::printf("%s\n", report.dump().c_str());
+    print_json(report, -1);
   } else {
     std::fprintf(stderr, "%s: %zu points on %s\n", options.out.string().c_str(), points.size(), shape.sentence.c_str());
   }

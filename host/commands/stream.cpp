@@ -18,6 +18,7 @@
 #include "host/board_commands/interruption.h"
 #include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
+#include "host/board_commands/print_json.h"
 #include "host/cloud/read_mesh.h"
 #include "host/commands/box_option.h"
 #include "host/commands/camera_options.h"
@@ -161,7 +162,7 @@ void close(stream::Stream& of, const StreamingOptions& options) {
   if (!options.out.empty()) write_packed(options.out, view);
   const std::string hash = trace::hash_text(view.hash());
   if (options.json) {
-    std::printf("%s\n", summary_json(of, hash).dump(2).c_str());
+    print_json(summary_json(of, hash));
   } else {
     print_summary(of, hash, !options.stream.to.empty(), text_stream(options.out));
   }

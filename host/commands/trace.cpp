@@ -13,6 +13,7 @@
 #include "host/board_commands/choice.h"
 #include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
+#include "host/board_commands/print_json.h"
 #include "host/board_commands/trace_show.h"
 #include "host/board_commands/trace_stop_latency.h"
 #include "host/commands/commands.h"
@@ -119,7 +120,7 @@ void compare_traces(const DiffOptions& options) {
   if (options.json) {
     nlohmann::ordered_json json{{"ticks", a.size()}, {"first_difference", nullptr}};
     if (difference) json["first_difference"] = {{"tick", difference->tick}, {"field", difference->field}};
-    std::printf("%s\n", json.dump(2).c_str());
+    print_json(json);
   } else if (!difference) {
     std::printf("equal: %zu ticks, every bit\n", a.size());
   }

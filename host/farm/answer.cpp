@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "host/error.h"
+#include "host/files/json_text.h"
 #include "host/files/whole_file.h"
 #include "host/trace/hash_text.h"
 #include "shared/printable.h"
@@ -235,7 +236,7 @@ void keep(const fs::path& answers, const Recording& recording, const Program& pr
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (error) throw InputError(file.parent_path().string() + ": the folder cannot be made: " + error.message());
-  const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+  const std::string text = json_text(json) + '\n';
   static std::atomic<unsigned> number = 0;  // others may keep the same answer at the same time
   const fs::path own =
       file.parent_path() / (address + "." + system.nodename + "-" + std::to_string(::getpid()) + "-" + std::to_string(++number));

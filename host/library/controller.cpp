@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/field_file/packed.h"
+#include "host/files/json_text.h"
 #include "host/library/call.h"
 #include "host/library/felt.h"
 #include "host/library/field.h"
@@ -127,9 +128,8 @@ isotouch_status isotouch_controller_connect(const char* address, uint32_t timeou
 
 isotouch_status isotouch_controller_status(isotouch_controller controller, char* json, size_t capacity, size_t* needed) {
   std::string text;
-  const isotouch_status status = asked(controller, [&](link::Controller& with) {
-    text = link::to_json(link::whole_status(with)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  });
+  const isotouch_status status =
+      asked(controller, [&](link::Controller& with) { text = json_text(link::to_json(link::whole_status(with))); });
   return status != ISOTOUCH_OK ? status : guarded(ISOTOUCH_CONTROLLER, [&] { copy_text(text, json, capacity, needed); });
 }
 

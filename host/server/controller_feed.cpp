@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "host/error.h"
-#include "host/server/json_text.h"
+#include "host/files/json_text.h"
 #include "host/server/put_bytes.h"
 #include "host/server/tick_rows.h"
 #include "host/server/tick_words.h"
@@ -87,7 +87,7 @@ std::vector<Shared> ControllerFeed::newest() const {
 
 /// What comes late of a controller that is gone, or before the next one is told of, is left out.
 void ControllerFeed::tell(Topic topic, const nlohmann::ordered_json& json) {
-  auto message = std::make_shared<const Message>(Message{topic, false, text_of(json)});
+  auto message = std::make_shared<const Message>(Message{topic, false, json_text(json)});
   const std::scoped_lock held(lock_);
   if (topic == Topic::kLink) {
     is_there_ = json["there"];

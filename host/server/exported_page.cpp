@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "host/files/json_text.h"
 #include "host/server/bundle.h"
-#include "host/server/json_text.h"
 
 namespace isotouch::server {
 
@@ -47,7 +47,7 @@ std::string exported_page(const Scene& scene, const nlohmann::ordered_json& hell
                       "\" />\n    <script type=\"module\">" + script_text(content("page.js")) + "</script>");
   replace_element(page, "<link rel=\"stylesheet\"", ">", "<style>" + std::string(content("page.css")) + "</style>");
   std::string data;
-  for (const auto& [name, bytes] : {std::pair<std::string, std::string>("hello", text_of(hello)),
+  for (const auto& [name, bytes] : {std::pair<std::string, std::string>("hello", json_text(hello)),
                                     {"surface", scene.surface()},
                                     {"points", scene.points()},
                                     {"rim", scene.rim()},

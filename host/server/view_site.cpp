@@ -11,11 +11,11 @@
 
 #include "host/error.h"
 #include "host/field_file/open_field.h"
+#include "host/files/json_text.h"
 #include "host/files/temporary_folder.h"
 #include "host/files/whole_file.h"
 #include "host/server/bundle.h"
 #include "host/server/exported_page.h"
-#include "host/server/json_text.h"
 #include "host/server/tick_rows.h"
 #include "host/trace/trace_diff.h"
 #include "host/view/colour_map.h"
@@ -30,7 +30,7 @@ constexpr std::string_view kBinary = "application/octet-stream";
 constexpr std::size_t kMaxRows = 65536, kMaxPieces = 20000;
 
 Reply reply_with(std::string_view type, std::string body) { return {200, type, std::make_shared<const std::string>(std::move(body))}; }
-Reply reply_with(const nlohmann::ordered_json& json) { return reply_with(kJson, server::text_of(json)); }
+Reply reply_with(const nlohmann::ordered_json& json) { return reply_with(kJson, json_text(json)); }
 Reply ends() { return sentence(503, "The program is ending; start it again."); }
 Reply builds() { return sentence(409, "Another scan is being built; drop this one again when it is done."); }
 Reply no_such_thing() { return sentence(404, "There is nothing at this address; load the page again."); }
@@ -154,7 +154,7 @@ void ViewSite::begin(HttpServer& server, const std::string& controller, const Co
 }
 
 std::vector<Shared> ViewSite::greeting() {
-  std::vector<Shared> all{std::make_shared<const Message>(Message{Topic::kHello, false, server::text_of(hello())})};
+  std::vector<Shared> all{std::make_shared<const Message>(Message{Topic::kHello, false, json_text(hello())})};
   if (feed_) std::ranges::copy(feed_->newest(), std::back_inserter(all));
   const std::scoped_lock held(lock_);
   if (told_build_) all.push_back(told_build_);
@@ -214,7 +214,7 @@ std::string ViewSite::exported() const {
 }
 
 void ViewSite::tell(Topic topic, const nlohmann::ordered_json& json) {
-  auto message = std::make_shared<const Message>(Message{topic, false, server::text_of(json)});
+  auto message = std::make_shared<const Message>(Message{topic, false, json_text(json)});
   if (topic == Topic::kBuild) {
     const std::scoped_lock held(lock_);
     told_build_ = message;
