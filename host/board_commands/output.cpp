@@ -76,8 +76,9 @@ void require_folder(const std::filesystem::path& folder) {
 
 std::FILE* text_stream(const std::filesystem::path& out) { return is_standard(out) ? stderr : stdout; }
 
-void require_apart(const std::filesystem::path& out, bool json) {
-  if (json && is_standard(out)) throw CLI::ValidationError("--json", "standard output already carries the file; name a file with -o");
+void require_apart(const std::filesystem::path& out, bool prints, const std::string& option) {
+  if (prints && is_standard(out))
+    throw CLI::ValidationError(option, "standard output already carries the file; give the file a name, not -");
 }
 
 }  // namespace isotouch::commands

@@ -64,7 +64,8 @@ void require_folder(const std::filesystem::path& folder);
 /// Where text for people goes: standard output, or standard error when the file itself goes to standard output.
 std::FILE* text_stream(const std::filesystem::path& out);
 
-/// fails     CLI::ValidationError when both the file and a JSON object would go to standard output
-void require_apart(const std::filesystem::path& out, bool json);
+/// prints    whether the option makes the command print JSON or a part of it
+/// fails     CLI::ValidationError naming the option, when both the file and that would go to standard output
+void require_apart(const std::filesystem::path& out, bool prints, const std::string& option = "--json");
 
 }  // namespace isotouch::commands

@@ -11,6 +11,7 @@
 #include "host/board_commands/choice.h"
 #include "host/board_commands/commands.h"
 #include "host/board_commands/output.h"
+#include "host/board_commands/print_json.h"
 #include "host/board_commands/print_key.h"
 #include "host/board_commands/quantiles_json.h"
 #include "host/error.h"
@@ -200,7 +201,7 @@ void run(const ReplayOptions& options) {
   if (!options.key.empty()) {
     print_key(to_json(options, done), options.key);
   } else if (options.json) {
-    std::printf("%s\n", to_json(options, done).dump(2).c_str());
+    print_json(to_json(options, done));
   } else {
     print_text(text_stream(options.out), report, options.check);
     if (done.difference) print_text(text_stream(options.out), options.renderer, *done.difference);
@@ -242,7 +243,8 @@ void add_replay(CLI::App& app, const MakeGodObject& god_object) {
   command->add_flag("--json", options->json, "print one JSON object");
   command->add_option("--key", options->key, "print only the value with this key of the JSON object, such as hash");
   command->callback([options] {
-    require_apart(options->out, options->json || !options->key.empty());
+    require_apart(options->out, options->json);
+    require_apart(options->out, !options->key.empty(), "--key");
     run(*options);
   });
 }

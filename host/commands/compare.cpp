@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/board_commands/output.h"
+#include "host/board_commands/print_json.h"
 #include "host/cloud/mesh.h"
 #include "host/cloud/read_mesh.h"
 #include "host/commands/commands.h"
@@ -21,6 +22,7 @@
 #include "host/evaluate/truth_comparison.h"
 #include "host/evaluate/zero_surface.h"
 #include "host/field/closed_mesh.h"
+#include "host/field/does_not_fit.h"
 #include "host/field/parallel.h"
 #include "host/field/triangle_tree.h"
 #include "host/field_file/open_field.h"
@@ -86,6 +88,16 @@ cloud::TriangleMesh placed_mesh(const std::filesystem::path& file, const FieldVi
     throw InputError(file.string() + ": " + repair.warnings().front() + ", so it is no truth to compare with; close it first");
   for (const std::string& warning : repair.warnings()) std::fprintf(stderr, "isotouch: %s: %s\n", file.string().c_str(), warning.c_str());
   return cloud::placed(std::move(mesh), evaluate::placement_of(field));
+}
+
+/// The field of another mesh, with this one's voxel and band.
+field_file::OpenField field_beside(const std::filesystem::path& file, const FieldView& field) {
+  const cloud::TriangleMesh mesh = placed_mesh(file, field);
+  try {
+    return evaluate::field_of_mesh(mesh, to_double(field.edge), to_double(field.band));
+  } catch (const field::DoesNotFit& error) {
+    throw InputError(file.string() + ": " + error.fact() + "; name a mesh of the same object, in the same frame and unit");
+  }
 }
 
 /// How long the stages take, about.
@@ -163,8 +175,7 @@ void run(const CompareOptions& options) {
   }
   if (!options.beside.empty()) {
     bar.begin("beside");
-    const field_file::OpenField theirs =
-        evaluate::field_of_mesh(placed_mesh(options.beside, field.view), to_double(field.view.edge), to_double(field.view.band));
+    const field_file::OpenField theirs = field_beside(options.beside, field.view);
     const Measured beside = measure(theirs.view, mesh, bar);
     json["beside"] = measured_json(beside);
     if (!options.json) print(to, "beside", beside);
@@ -176,7 +187,7 @@ void run(const CompareOptions& options) {
                                                            {worst.place, on_truth, worst.distance, measured.whole.voxel_mm},
                                                            {.title = options.field.stem().string()}));
   }
-  if (options.json) std::printf("%s\n", json.dump(2).c_str());
+  if (options.json) print_json(json);
 }
 
 /// Draws the touch whose direction is worst.
@@ -234,7 +245,7 @@ void run_felt(const CompareOptions& options) {
     draw_felt(options, field.view, mesh, felt.worst_direction);
     bar.end();
   }
-  if (options.json) std::printf("%s\n", json.dump(2).c_str());
+  if (options.json) print_json(json);
 }
 
 }  // namespace

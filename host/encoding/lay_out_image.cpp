@@ -8,7 +8,7 @@
 #include <string>
 
 #include "host/encoding/spline.h"
-#include "host/error.h"
+#include "host/field/does_not_fit.h"
 #include "shared/bytes.h"
 #include "shared/crc32.h"
 
@@ -24,8 +24,9 @@ constexpr std::size_t kBrickBytes = sizeof(Coefficients);
 template <class Q>
 Q in_format(double value, double low, double high, const char* what) {
   if (!(value >= low && value <= high)) {
-    throw InputError(std::string(what) + " is " + std::to_string(value) + ", a field holds " + std::to_string(low) + " to " +
-                     std::to_string(high) + "; choose another size, --voxel, --band or --stiffness");
+    throw field::DoesNotFit(
+        std::string(what) + " is " + std::to_string(value) + ", a field holds " + std::to_string(low) + " to " + std::to_string(high),
+        "choose another size, --voxel, --band or --stiffness");
   }
   return Q::from_raw(static_cast<std::int32_t>(std::floor(value * static_cast<double>(1 << Q::kFractionBits) + 0.5)));
 }
@@ -48,8 +49,8 @@ ImageHeader image_header(const field::Grid& grid, double band, const FieldInfo& 
   for (int axis = 0; axis < 3; ++axis) {
     const int size = grid.size[axis];
     if (size < 8 || size > static_cast<int>(kMaxSize)) {
-      throw InputError("the grid has " + std::to_string(size) +
-                       " samples along one axis, a field holds 8 to 4096; choose another --voxel or --grid");
+      throw field::DoesNotFit("the grid has " + std::to_string(size) + " samples along one axis, a field holds 8 to 4096",
+                              "choose another --voxel or --grid");
     }
     store_le(at + kSizeAt + 4 * axis, size);
     store_le(at + kRootSizeAt + 4 * axis, (size + 15) >> kNodeShift);
@@ -83,7 +84,8 @@ field_file::Image lay_out_image(const ImageHeader& header, const ImageTables& ta
   const std::size_t bricks_end = bricks_at + kBrickBytes * (tables.stored + 2);
   const std::size_t bytes = bricks_end + tables.stiffness.size();
   if (bytes > std::numeric_limits<std::uint32_t>::max()) {
-    throw InputError("the field needs " + std::to_string(bytes) + " bytes, at most 4 GB fit; choose a larger --voxel or a smaller --band");
+    throw field::DoesNotFit("the field needs " + std::to_string(bytes) + " bytes, at most 4 GB fit",
+                            "choose a larger --voxel or a smaller --band");
   }
   field_file::Image image(bytes);
   std::uint8_t* at = image.data();
