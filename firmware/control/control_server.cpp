@@ -211,6 +211,13 @@ void ControlServer::forget(ControlClient& client) {
   client.close();
 }
 
+/// Has it asked for what comes after the worker's work? Whoever has stopped in the middle of a frame has not.
+bool ControlServer::waits_for_worker(const ControlClient& client) const {
+  if (client.waiting || !client.has_unread()) return client.waiting;
+  const Result<protocol::Frame> frame = client.frame();
+  return frame && frame->size != 0 && requests_.must_wait(*frame);
+}
+
 /// Closes whoever stops in the middle of something, sends a field too slowly, does not complete its greeting, or holds the place for a stop for too long. A
 /// client that has said and read everything may stay.
 void ControlServer::dismiss_the_idle() {
@@ -218,9 +225,10 @@ void ControlServer::dismiss_the_idle() {
   for (ControlClient& client : clients_) {
     const bool may_stay = client.greeted && !is_for_stop(client);
     const bool in_the_middle = client.leaving || client.has_unsent() || client.has_unread() || requests_.is_sending(client);
-    const bool does_not_get_on = (in_the_middle && client.moved_ns < since) || requests_.sends_too_slowly(client);
-    const bool is_idle = does_not_get_on && !requests_.is_working();  // meanwhile it may wait for the worker
-    const bool is_late = is_idle || (!may_stay && client.opened_ns < since);
+    const bool does_not_get_on =
+        in_the_middle && client.moved_ns < since && !requests_.is_working();  // meanwhile it may wait for the worker
+    const bool is_slow = requests_.sends_too_slowly(client) && !waits_for_worker(client);
+    const bool is_late = does_not_get_on || is_slow || (!may_stay && client.opened_ns < since);
     if (client.is_open() && is_late) forget(client);
   }
 }

@@ -74,6 +74,7 @@ class ControlServer {
   void answer(ControlClient& client, const protocol::Frame& frame);
   void hello(ControlClient& client, const protocol::Frame& frame) const;
   void forget(ControlClient& client);
+  bool waits_for_worker(const ControlClient& client) const;
   void dismiss_the_idle();
 
   ControlSettings settings_;

@@ -1,7 +1,6 @@
 #include "firmware/control/control_socket.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/time.h>
@@ -14,7 +13,6 @@
 #include <cstring>
 #include <utility>
 
-#include "shared/files/is_at.h"
 #include "shared/files/missing_folder.h"
 
 namespace isotouch::control {
@@ -57,34 +55,44 @@ Refusal refusal_of_taken(const std::string& path) {
   return owner.empty() ? Refusal() : path + ": " + owner + "; stop it or choose another path";
 }
 
-/// Whoever holds a folder looks for a socket there and puts its own in the place; the next one waits, for microseconds. A program that is killed meanwhile
-/// leaves a file that nobody holds.
-class FolderLock {
+/// A folder by its number, so that names in it may be as long as they like.
+class Folder {
  public:
-  explicit FolderLock(std::string path) : path_(std::move(path)) {
-    constexpr int kTries = 100;  // a file system may give one file several numbers
-    for (int tries = 0; tries < kTries; ++tries) {
-      if (file_ >= 0) ::close(file_);
-      file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-      error_ = file_ < 0 ? errno : 0;
-      if (file_ < 0 || ::flock(file_, LOCK_EX) != 0 || files::is_at(file_, path_)) return;  // where there are no locks, none is waited for
-    }
+  explicit Folder(const std::string& path) : number_(::open(path.empty() ? "." : path.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)) {}
+  ~Folder() {
+    if (number_ >= 0) ::close(number_);
   }
-  ~FolderLock() {
-    if (file_ < 0) return;
-    ::unlink(path_.c_str());
-    ::close(file_);
-  }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
 
-  /// As `errno`: why its file cannot be made; 0: it can.
-  int error() const { return error_; }
+  bool is_open() const { return number_ >= 0; }
+  /// Of a file that no tool knows, and that nobody else makes.
+  std::string path_of_own() const {
+    const std::string number = std::to_string(number_);
+    return "/proc/self/fd/" + number + "/.isotouchd." + std::to_string(::getpid()) + '.' + number;
+  }
 
  private:
-  std::string path_;
-  int file_ = -1, error_ = 0;
+  int number_;
 };
+
+/// Gives a listening socket its name. One that nobody listens at gives way.
+///
+/// returns   why not; none with `errno` set: the system does not let it
+std::optional<Refusal> refusal_to_name(const std::string& own, const std::string& path) {
+  const std::string old = own + ".old";
+  while (::link(own.c_str(), path.c_str()) != 0) {
+    if (errno != EEXIST) return std::nullopt;
+    if (Refusal taken = refusal_of_taken(path)) return taken;
+    if (::rename(path.c_str(), old.c_str()) != 0) {
+      if (errno == ENOENT) continue;
+      return std::nullopt;
+    }
+    if (refusal_of_taken(old)) (void)!::link(old.c_str(), path.c_str());  // of somebody who came in between
+    ::unlink(old.c_str());
+  }
+  return Refusal();
+}
 
 }  // namespace
 
@@ -93,35 +101,31 @@ Refusal ControlSocket::open(const std::string& path, mode_t mode, std::optional<
   sockaddr_un address{};
   if (!make_address(path, address)) return path + ": is no path for a socket (1 to 107 characters); choose a shorter one";
   if (Refusal missing = files::refusal_of_missing_folder(path)) return missing;
-  const std::string folder = path.substr(0, path.rfind('/') + 1);
-  const std::string fresh = folder + '~';  // not longer than the path
-  const FolderLock lock(folder + ".isotouchd.lock");
-  for (const std::string& name : {path, fresh}) {
-    if (Refusal taken = refusal_of_taken(name)) return taken;
-  }
-  errno = lock.error();
-  if (errno == 0 && listen(fresh, mode, group) && ::rename(fresh.c_str(), path.c_str()) == 0) {
+  if (Refusal taken = refusal_of_taken(path)) return taken;
+  const Folder folder(path.substr(0, path.rfind('/') + 1));
+  const std::string own = folder.path_of_own();
+  std::optional<Refusal> refusal;
+  if (folder.is_open() && listen(own, mode, group)) refusal = refusal_to_name(own, path);
+  if (!refusal) refusal = path + ": cannot listen there (" + reason() + "); check the folder, its permissions and the group";
+  ::unlink(own.c_str());
+  if (*refusal)
+    close();
+  else
     path_ = path;
-    return {};
-  }
-  const std::string why = reason();
-  close();
-  return path + ": cannot listen there (" + why + "); check the folder, its permissions and the group";
+  return *refusal;
 }
 
 /// At a name that no tool knows: whoever finds the socket under its own name finds somebody behind it.
 bool ControlSocket::listen(const std::string& path, mode_t mode, std::optional<gid_t> group) {
   sockaddr_un address{};
   struct stat about {};
-  ::unlink(path.c_str());  // of a program that was killed here
+  ::unlink(path.c_str());  // of a program that had this number and was killed here
   socket_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   const mode_t before = ::umask(0777);  // nobody comes in between bind and chmod
   const bool bound =
       socket_ >= 0 && make_address(path, address) && ::bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
   ::umask(before);
-  if (!bound) return false;
-  path_ = path;
-  if (::lstat(path.c_str(), &about) != 0) return false;
+  if (!bound || ::lstat(path.c_str(), &about) != 0) return false;
   device_ = about.st_dev;
   inode_ = about.st_ino;
   return (!group || ::chown(path.c_str(), static_cast<uid_t>(-1), *group) == 0) && ::chmod(path.c_str(), mode) == 0 &&
@@ -145,12 +149,16 @@ int connect_to_socket(const std::string& path, int patience_ms) {
     return -1;
   }
   const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (socket < 0) return -1;
   const timeval patience{patience_ms / 1000, patience_ms % 1000 * 1000}, for_ever{};
   (void)::setsockopt(socket, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
-  if (socket >= 0 && ::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    const int why = errno;
+  int failed = 0;
+  do {
+    failed = ::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 ? 0 : errno;
+  } while (failed == EINTR);  // it was stopped for a while, and waits anew
+  if (failed != 0) {
     ::close(socket);
-    errno = why;
+    errno = failed;
     return -1;
   }
   (void)::setsockopt(socket, SOL_SOCKET, SO_SNDTIMEO, &for_ever, sizeof for_ever);

@@ -58,6 +58,9 @@ int connect_to(const Address& address, int patience_ms, const std::function<bool
     complain_of_nobody(address);
   }
   if (socket >= 0) ::close(socket);
+  if (failed == EAGAIN && patience_ms > 0 && patience_ms < kGreetingMs)
+    throw InputError(address.text + ": the controller lets nobody in within " + std::to_string(patience_ms) +
+                     " ms; allow it a longer time");
   if (failed == EAGAIN)
     throw InputError(address.text +
                      ": the controller lets nobody in; press the emergency stop if there is force, and start isotouchd again");

@@ -137,6 +137,26 @@ TEST(ControlServerWorker, AnUploadThatWaitsForItIsNotSlow) {
   EXPECT_EQ(sender.hear().kind, Kind::kRefused) << "the stored angles hold from the next start on, and no field before";
 }
 
+TEST(ControlServerWorker, AnUploadThatStoppedIsSlowAlsoWhileItWorks) {
+  ControlRig rig(1 << 20, [](ControlSettings& settings) { settings.patience_ns = kLong; });
+  rig.calibration.answers("A1");
+  Speaker sender(rig.settings.path), measurer(rig.settings.path), other(rig.settings.path);
+  measurer.greet(), other.greet();
+  const auto frames = frames_of(store::packed_ball(1), 4096);
+  for (const auto& frame : std::span(frames).first(2)) {  // its greeting, and that it begins
+    ASSERT_TRUE(sender.send(frame));
+    sender.hear();
+  }
+  rig.disk_is_busy = true;
+  const int before = rig.looked_up;
+  measurer.say(Kind::kCalibrate, near_angles());
+  while (rig.looked_up == before) std::this_thread::yield();
+  rig.clock.ahead_ns = 2 * kLong;
+  EXPECT_TRUE(has_been_answered(sender, other)) << "it keeps its place";
+  rig.disk_is_busy = false;
+  rig.disk_is_busy.notify_all();
+}
+
 TEST(ControlServerAnswers, AListOfFieldsEndsWhereAFrameIsFull) {
   ControlRig rig;
   rig.server->stop();

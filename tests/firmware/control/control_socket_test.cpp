@@ -8,12 +8,10 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <functional>
 #include <iterator>
-#include <thread>
 #include <utility>
 
 #include "tests/support/scratch_folder.h"
@@ -21,7 +19,8 @@
 namespace {
 
 mode_t mode_before_chmod = 0;            ///< of the last file that got another one
-std::function<void()> before_listening;  ///< called once
+std::function<void()> before_listening;  ///< called once, and so is the next
+std::function<void()> before_renaming;
 
 }  // namespace
 
@@ -35,6 +34,11 @@ extern "C" int chmod(const char* path, mode_t mode) {
 extern "C" int listen(int socket, int queue) {
   if (const auto call = std::exchange(before_listening, nullptr)) call();
   return static_cast<int>(::syscall(SYS_listen, socket, queue));
+}
+
+extern "C" int rename(const char* from, const char* to) {
+  if (const auto call = std::exchange(before_renaming, nullptr)) call();
+  return static_cast<int>(::syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
 }
 
 namespace isotouch::control {
@@ -121,25 +125,23 @@ TEST(ControlSocket, WhoeverFindsItsFileFindsSomebodyBehindIt) {
 TEST(ControlSocket, OfTwoThatOpenItAtOnceOneDoes) {
   const ScratchFolder folder;
   const std::string path = (folder.path() / "door").string();
-  std::string second;
-  std::thread other;
-  before_listening = [&] {
-    other = std::thread([&] { second = opened(path); });
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // one that comes later is refused anyhow
-  };
-  ControlSocket door;
-  EXPECT_EQ(door.open(path, 0600, std::nullopt).sentence(), "");
-  other.join();
-  EXPECT_EQ(second, path + ": another program listens there; stop it or choose another path");
+  ControlSocket door, quicker;
+  before_listening = [&] { EXPECT_EQ(quicker.open(path, 0600, std::nullopt).sentence(), ""); };
+  EXPECT_EQ(door.open(path, 0600, std::nullopt).sentence(), path + ": another program listens there; stop it or choose another path");
   EXPECT_TRUE(knock(path));
+  quicker.close();
+  EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
-TEST(ControlSocket, WhatAKillLeavesHindersNobody) {
+TEST(ControlSocket, OfTwoThatReplaceADeadOneAtOnceOneDoes) {
   const ScratchFolder folder;
   const std::string path = (folder.path() / "door").string();
-  ::close(bound((folder.path() / "~").string(), SOCK_STREAM));
-  (void)folder.write(".isotouchd.lock", "");
-  EXPECT_EQ(opened(path), "");
+  ::close(bound(path, SOCK_STREAM));
+  ControlSocket door, quicker;
+  before_renaming = [&] { EXPECT_EQ(quicker.open(path, 0600, std::nullopt).sentence(), ""); };
+  EXPECT_EQ(door.open(path, 0600, std::nullopt).sentence(), path + ": another program listens there; stop it or choose another path");
+  EXPECT_TRUE(knock(path));
+  quicker.close();
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
