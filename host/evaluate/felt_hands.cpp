@@ -8,6 +8,7 @@
 #include "host/cloud/mesh.h"
 #include "host/cloud/random.h"
 #include "host/error.h"
+#include "host/evaluate/crease_hand.h"
 #include "host/evaluate/plane_motion.h"
 #include "host/evaluate/sharp_edges.h"
 #include "host/field/first_hit.h"
@@ -201,23 +202,23 @@ class Planner {
   }
 
   std::vector<FeltTick> crease(Random& random) const {
-    constexpr double kPerSecond = 2.5, kSpeed = 20;  // times a second, mm/s
+    constexpr double kWidth = 2, kPerSecond = 2.5, kSpeed = 20;  // to each side, times a second, mm/s
     const std::optional<EdgePlace> found = place_on_edges(concave_, random);
     if (!found) return {};
-    const auto& [edge, on_edge] = *found;
-    const Vector3d out = edge.normals[0] + edge.normals[1];
+    const Vector3d out = found->edge.normals[0] + found->edge.normals[1];
     if (out.norm() < 0.1) return {};
-    const Place place{on_edge, out.normalized()};
+    const Place place{found->point, out.normalized()};
     if (!is_free(place)) return {};
     const std::optional<Vector3d> begin = above(place);
     if (!begin) return {};
-    FeltPath path(tree_, *begin);
-    SteeredHand hand(tree_, path, place.outward, edge.end - edge.begin);
     const double depth = random.uniform(0.1, 1);
-    const double width = (random.bits() & 1U) != 0 ? 0.5 : 0.0;
-    hand.sink(depth);
+    const double width = (random.bits() & 1U) != 0 ? kWidth : 0.0;
+    if (!field::is_inside(trees_.closed, place.point - depth * place.outward)) return {};  // a thin part
+    FeltPath path(tree_, *begin);
+    CreaseHand hand(concave_, *found, path, depth);
+    hand.sink(0.1);
     for (int tick = 0; tick < 400; ++tick) {
-      hand.step(kSpeed * kTick, width * swing(kPerSecond, tick), depth);
+      hand.step(kSpeed * kTick, width * motion::wave(kPerSecond * kTick * tick + 0.25));
     }
     return path.take();
   }

@@ -45,7 +45,7 @@ struct FeltHandOptions {
 /// scrub      the same to and fro, three times a second, at up to 180 mm/s
 /// stab       1 m/s from up to 72.5 degrees beside the normal, stops at 0.1 to 1 mm, rests, and leaves as fast
 /// edge       crosses convex sharp edges to and fro while it runs along them
-/// crease     in concave sharp edges, along them, and from side to side
+/// crease     below concave sharp edges, along them; every second hand from wall to wall
 /// thin       through parts of at most kThinMm, in along the normal, 1 mm out on the other side, and back
 /// recorded   a recorded hand in pieces of 2 s, each on another place: what it moves along its main plane becomes motion along the surface, what it
 ///            moves across, within half a second, becomes depth between 0.1 and 1 mm

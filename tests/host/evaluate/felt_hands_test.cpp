@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include "host/evaluate/recorded_hand.h"
 #include "host/field/line_crossings.h"
@@ -20,27 +21,33 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A block with an L-shaped profile, and a thin wing on it: every kind of motion finds a place.
-cloud::TriangleMesh everything() {
+using Corners = std::vector<Vector3d>;
+using Faces = std::vector<std::array<std::uint32_t, 3>>;
+
+/// profile   in x and z, counter-clockwise seen from -y
+cloud::TriangleMesh extruded(const Corners& profile, const Faces& front) {
   cloud::TriangleMesh mesh;
-  // The profile in x and z, counter-clockwise seen from -y.
-  const std::array<Vector3d, 8> profile = {Vector3d(0, 0, 0),   Vector3d(30, 0, 0),    Vector3d(30, 0, 10),   Vector3d(20, 0, 10),
-                                           Vector3d(20, 0, 30), Vector3d(18.5, 0, 30), Vector3d(18.5, 0, 10), Vector3d(0, 0, 10)};
+  const auto corners = static_cast<std::uint32_t>(profile.size());
   for (const double y : {0.0, 25.0}) {
     for (const Vector3d& corner : profile) mesh.vertices.emplace_back(corner.x(), y, corner.z());
   }
-  const std::array<std::array<std::uint32_t, 3>, 6> front = {{{0, 1, 7}, {1, 3, 6}, {1, 6, 7}, {1, 2, 3}, {3, 4, 6}, {4, 5, 6}}};
   for (const auto& [a, b, c] : front) {
     mesh.faces.push_back({a, b, c});
-    mesh.faces.push_back({a + 8, c + 8, b + 8});
+    mesh.faces.push_back({a + corners, c + corners, b + corners});
   }
-  for (std::uint32_t i = 0; i < 8; ++i) {
-    const std::uint32_t next = (i + 1) % 8;
-    mesh.faces.push_back({i, i + 8, next + 8});
-    mesh.faces.push_back({i, next + 8, next});
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    const std::uint32_t next = (i + 1) % corners;
+    mesh.faces.push_back({i, i + corners, next + corners});
+    mesh.faces.push_back({i, next + corners, next});
   }
-  cloud::require_closed(mesh, "everything");
+  cloud::require_closed(mesh, "extruded");
   return mesh;
+}
+
+/// A block with an L-shaped profile, and a thin wing on it: every kind of motion finds a place.
+cloud::TriangleMesh everything() {
+  return extruded({{0, 0, 0}, {30, 0, 0}, {30, 0, 10}, {20, 0, 10}, {20, 0, 30}, {18.5, 0, 30}, {18.5, 0, 10}, {0, 0, 10}},
+                  {{0, 1, 7}, {1, 3, 6}, {1, 6, 7}, {1, 2, 3}, {3, 4, 6}, {4, 5, 6}});
 }
 
 RecordedHand circling(std::size_t ticks) {
@@ -83,6 +90,43 @@ TEST(FeltHands, EveryKindTouchesTheSurfaceAtTheDepthsThatAreCompared) {
   EXPECT_NEAR(seen[FeltKind::kStab].fastest, 1, 1e-3);
   EXPECT_NEAR(seen[FeltKind::kSlide300].fastest, 0.3, 0.05);
   EXPECT_GT(seen[FeltKind::kRecorded].touching, 4800U) << "a recorded hand touches";
+}
+
+TEST(FeltHands, ThoseInCreasesRestThereAndOnBothWalls) {
+  const auto mesh = everything();
+  const field::TriangleTree tree(mesh);
+  std::size_t touching = 0, in_crease = 0, on_floor = 0, on_wall = 0;
+  for (const FeltHand& hand : felt_hands(tree, {}, {})) {
+    if (hand.kind != FeltKind::kCrease) continue;
+    for (const FeltTick& tick : hand.ticks) {
+      if (!tick.touching) continue;
+      const double to_floor = std::fabs(tick.god.z() - 10);
+      const double to_wall = std::min(std::fabs(tick.god.x() - 20), std::fabs(tick.god.x() - 18.5));
+      ++touching;
+      in_crease += std::max(to_floor, to_wall) < 0.01 ? 1U : 0U;
+      on_floor += to_floor < 0.01 && to_wall > 0.05 ? 1U : 0U;
+      on_wall += to_wall < 0.01 && to_floor > 0.05 ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(touching, 15'000U);
+  EXPECT_GT(in_crease, touching / 2);
+  EXPECT_GT(on_floor, touching / 20);
+  EXPECT_GT(on_wall, touching / 20);
+}
+
+TEST(FeltHands, ThoseInCreasesStayInThinParts) {
+  constexpr double kWall = 0.3;         // mm
+  constexpr std::size_t kSinking = 30;  // ticks, 3 mm: as far as one sinks
+  const auto mesh = extruded({{0, 0, 0}, {20, 0, 0}, {20, 0, kWall}, {kWall, 0, kWall}, {kWall, 0, 20}, {0, 0, 20}},
+                             {{0, 1, 3}, {1, 2, 3}, {0, 3, 5}, {3, 4, 5}});
+  const field::TriangleTree tree(mesh);
+  std::size_t hands = 0;
+  for (const FeltHand& hand : felt_hands(tree, {}, {})) {
+    if (hand.kind != FeltKind::kCrease) continue;
+    ++hands;
+    for (std::size_t i = 0; i < kSinking; ++i) ASSERT_LT((hand.ticks[i].god - to_double(hand.ticks[i].hip)).norm(), 1.5 * kWall);
+  }
+  EXPECT_GT(hands, 10U);
 }
 
 TEST(FeltHands, TheSeedDecidesAndThreadsDoNot) {
