@@ -2,10 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
-#include <vector>
+
+#include "host/angle.h"
 
 namespace isotouch::evaluate {
 
@@ -25,24 +24,19 @@ struct Nearest {
 
 }  // namespace
 
-bool has_equal_answer(const TriangleTree& tree, const Vector3d& hip, const Vector3d& place) {
+std::vector<Vector3d> other_answers(const TriangleTree& tree, const Vector3d& hip, const Vector3d& place, double nearest, double farthest) {
   const Vector3d to_place = place - hip;
-  const double depth = to_place.norm();
-  const double tolerance = std::max(kEqualMm, kEqualShare * depth);
-  const double reach = depth + tolerance;
   std::vector<Nearest> near;
-  tree.visit([&](const TriangleTree::Box& box) { return box.squared_distance(hip) <= reach * reach; },
+  tree.visit([&](const TriangleTree::Box& box) { return box.squared_distance(hip) <= farthest * farthest; },
              [&](std::uint32_t face) {
                const Vector3d point = field::nearest_on_triangle(hip, tree.corners(face)).point;
                const double distance = (point - hip).norm();
-               if (distance <= reach) near.push_back({point, distance, face});
+               if (distance <= farthest) near.push_back({point, distance, face});
              });
-  const double same_direction = std::cos(kOtherDirectionDeg * std::numbers::pi / 180);
-  const double other_side = std::cos(kOtherSideDeg * std::numbers::pi / 180);
   const auto is_other = [&](const Nearest& candidate) {
     const Vector3d way = candidate.point - hip;
-    const double product = candidate.distance * depth, along = way.dot(to_place);
-    if (std::fabs(candidate.distance - depth) > tolerance || along > same_direction * product || along < other_side * product) return false;
+    const double angle = angle_deg(way, to_place);
+    if (candidate.distance < nearest || angle < kOtherDirectionDeg || angle > kOtherSideDeg) return false;
     const auto [a, b, c] = tree.corners(candidate.face);
     return (b - a).cross(c - a).dot(way) > 0;  // the hand is behind it
   };
@@ -52,7 +46,11 @@ bool has_equal_answer(const TriangleTree& tree, const Vector3d& hip, const Vecto
              (field::nearest_on_triangle(candidate.point, tree.corners(other.face)).point - candidate.point).norm() < kSamePlace;
     });
   };
-  return std::any_of(near.begin(), near.end(), [&](const Nearest& candidate) { return is_other(candidate) && is_rest(candidate); });
+  std::vector<Vector3d> ways;
+  for (const Nearest& candidate : near) {
+    if (is_other(candidate) && is_rest(candidate)) ways.emplace_back(candidate.point - hip);
+  }
+  return ways;
 }
 
 }  // namespace isotouch::evaluate

@@ -23,7 +23,7 @@ using field::TriangleTree;
 
 namespace {
 
-constexpr double kFarthestAnswer = 2;  // times as far from the hand as the god-object: beyond, it is no equal answer
+constexpr double kFarthestAnswer = 2;  // times as far from the hand as the god-object: beyond, it is no other answer
 
 /// What one hand says.
 struct Felt {
@@ -123,7 +123,19 @@ class Comparer {
     if (length <= tolerance_) return false;
     if (field::is_inside(trees_.closed, proxy)) return tree_.nearest(proxy).distance > tolerance_;
     const auto hit = field::first_hit(tree_, god, way / length);
-    return hit && hit->t < length && normal_at(proxy).dot(normal_at(god)) < 0;
+    return hit && hit->t < length && angle_deg(normal_at(proxy), normal_at(god)) > kOtherSideDeg;
+  }
+
+  /// Does the force lead to another place at which a god-object could rest?
+  ///
+  /// apart     the two have taken different ones before: the other one need not be equally near any more
+  bool is_other_answer(const FeltTick& tick, const Output& out, const Vector3d& force, bool apart) const {
+    const Vector3d hip = to_double(tick.hip), way = tick.god - hip;
+    const double depth = way.norm(), tolerance = equal_tolerance(depth);
+    if (direction_error(force, way) <= kOtherDirectionDeg || (to_double(out.proxy) - hip).norm() >= kFarthestAnswer * depth) return false;
+    const auto others = apart ? other_answers(tree_, hip, tick.god, 0, kFarthestAnswer * depth)
+                              : other_answers(tree_, hip, tick.god, depth - tolerance, depth + tolerance);
+    return std::any_of(others.begin(), others.end(), [&](const Vector3d& other) { return angle_deg(other, force) <= kOtherDirectionDeg; });
   }
 
   bool jumps(const FeltHand& hand, std::size_t i, const Output& before, const Output& out) const {
@@ -145,14 +157,10 @@ class Comparer {
     const bool without_contact = !tick.touching && force.norm() > kForceWithoutContact;
     const bool compared = touching && tick.touching && depth >= kFeltDepths.front() && depth <= kFeltDepths.back();
     felt.touching += tick.touching ? 1U : 0U;
-    // Where two answers are equally near each may take its own; then they are apart until they agree again, or until the field's is no answer any more.
-    const Vector3d exact = to_double(field_.stiffness) * (tick.god - hip);
-    const bool other_answer = touching && tick.touching && !wrong && direction_error(force, exact) > kOtherDirectionDeg &&
-                              (proxy - hip).norm() < kFarthestAnswer * depth;
-    apart = apart && other_answer;
+    // Where two places are equally near each may take its own; then they are apart until they agree again, or until the field's is no answer any more.
+    apart = touching && tick.touching && !wrong && is_other_answer(tick, out, force, apart);
     if (!differs && !jump && !wrong && !without_contact && !compared) return;
-    if (apart || (tick.touching && has_equal_answer(tree_, hip, tick.god))) {
-      apart = other_answer;
+    if (apart) {
       ++felt.equal;
       return;
     }
@@ -161,7 +169,8 @@ class Comparer {
     felt.wrong_side += wrong ? 1U : 0U;
     felt.force_without_contact += without_contact ? 1U : 0U;
     if (!compared) return;
-    FeltPlace place{hand.kind, hand.number, hand.from, i, hip, tick.god, proxy, force, exact, 0, 0};
+    FeltPlace place{hand.kind, hand.number, hand.from, i, hip, tick.god, proxy, force, to_double(field_.stiffness) * (tick.god - hip), 0,
+                    0};
     place.direction_deg = direction_error(place.felt, place.exact);
     place.force_n = (place.felt - place.exact).norm();
     felt.direction_deg.push_back(place.direction_deg);

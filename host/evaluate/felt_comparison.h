@@ -40,8 +40,8 @@ struct FeltFigures {
   std::size_t jumps = 0;                                    ///< ticks: the proxy jumps and the god-object does not
   std::size_t wrong_side = 0;                               ///< ticks: the proxy is in the body or on the other side of a part
   std::size_t force_without_contact = 0;                    ///< ticks: more than kForceWithoutContact where the god-object touches nothing
-  /// Ticks left out of all but `ticks` and `touching`: two places are equally near; or the two took different ones there, and since then both touch,
-  /// have not met again, and the proxy was neither on the wrong side nor twice as far from the hand as the god-object.
+  /// Ticks left out of all but `ticks` and `touching`: two places are equally near, and the force leads to the other one; or the two took different ones
+  /// there, and since then it has led to a place where a god-object could rest, less than twice as far from the hand as the one where it does.
   std::size_t equal_answers = 0;
 };
 

@@ -10,6 +10,11 @@ namespace {
 
 using Eigen::Vector3d;
 
+bool has_equal_answer(const field::TriangleTree& tree, const Vector3d& hip, const Vector3d& place) {
+  const double depth = (place - hip).norm(), tolerance = equal_tolerance(depth);
+  return !other_answers(tree, hip, place, depth - tolerance, depth + tolerance).empty();
+}
+
 TEST(EqualAnswers, BelowOneFaceThereIsOneAnswer) {
   const auto mesh = box({0, 0, 0}, {20, 20, 20});
   const field::TriangleTree tree(mesh);
@@ -25,6 +30,15 @@ TEST(EqualAnswers, NearAnEdgeThereAreTwoOnlyAroundTheMiddle) {
   EXPECT_FALSE(has_equal_answer(tree, {18.8, 10, 19}, {18.8, 10, 20})) << "the other side is farther";
   EXPECT_FALSE(has_equal_answer(tree, {19.2, 10, 19}, {19.2, 10, 20}))
       << "the other side is nearer: the god-object stays because of its past";
+}
+
+TEST(EqualAnswers, AreWaysToThePlaces) {
+  const auto mesh = box({0, 0, 0}, {20, 20, 20});
+  const field::TriangleTree tree(mesh);
+  const Vector3d hip(19.4, 10.5, 19);
+  EXPECT_TRUE(other_answers(tree, hip, {19.4, 10.5, 20}, 0.7, 1.3).empty());
+  for (const Vector3d& way : other_answers(tree, hip, {19.4, 10.5, 20}, 0, 2)) EXPECT_EQ(way, Vector3d(20 - 19.4, 0, 0));
+  EXPECT_FALSE(other_answers(tree, hip, {19.4, 10.5, 20}, 0, 2).empty());
 }
 
 TEST(EqualAnswers, TheOtherSideOfAPlateIsNoAnswer) {

@@ -211,6 +211,43 @@ TEST(FeltComparison, RoundedEdgesAreMeasuredAsEdges) {
   EXPECT_EQ(felt.all.wrong_side, 0U);
 }
 
+// Proxy and god-object are on perpendicular faces there, and the product of their normals is 0 but for rounding.
+TEST(FeltComparison, TheEdgesOfATurnedCubeHaveNoWrongSideEither) {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3d(1, 3, 2).normalized()).toRotationMatrix();
+  cloud::TriangleMesh mesh = box({-10, -10, -10}, {10, 10, 10});
+  for (Vector3d& vertex : mesh.vertices) vertex = turn * vertex;
+  const field::TriangleTree tree(mesh);
+  const auto cube = [&](const Vector3d& p) {
+    const Vector3d out = (turn.transpose() * p).cwiseAbs() - Vector3d::Constant(10);
+    return out.cwiseMax(0).norm() + std::min(out.maxCoeff(), 0.0);
+  };
+  const FeltFigures all = compare_felt(field_of(cube, 18).view, tree, felt_hands(tree, {}, {.seed = 3, .share = kShare})).all;
+  EXPECT_GT(all.equal_answers, 0U);
+  EXPECT_EQ(all.wrong_side, 0U);
+}
+
+TEST(FeltComparison, AChamferIsNoAnswerWhereTwoSidesAreEquallyNear) {
+  constexpr std::size_t kRest = 50;  // ticks
+  const auto mesh = box({-10, -10, -10}, {10, 10, 10});
+  const field::TriangleTree tree(mesh);
+  FeltPath path(tree, {9.65, 0, 11});
+  // Where the chamfer leaves nothing to touch; where it is what the field has; and where only the god-object's side and the chamfer are near.
+  for (const Vector3d& place : {Vector3d(9.65, 0, 9.65), Vector3d(9.2, 0, 9.2), Vector3d(8.9, 0, 9.2)}) {
+    path.move(place, 0.1);
+    path.hold(static_cast<int>(kRest));
+  }
+  ASSERT_NEAR(path.god().z(), 10, 1e-6);
+  const auto chamfered = [](const Vector3d& p) {
+    const Vector3d out = p.cwiseAbs();
+    return std::max(out.maxCoeff() - 10, (out.x() + out.z() - 19) / std::sqrt(2));
+  };
+  const FeltFigures all = compare_felt(field_of(chamfered, 10).view, tree, {{FeltKind::kEdge, 0, {}, path.take()}}).all;
+  EXPECT_GT(all.contact_differs, kRest);
+  EXPECT_GT(all.errors.direction_deg.count, 2 * kRest);
+  EXPECT_NEAR(all.errors.direction_deg.median, 45, 1);
+  EXPECT_EQ(all.equal_answers, 0U);
+}
+
 TEST(FeltComparison, CubesThatMakeUpACubeFeelAsIt) {
   cloud::TriangleMesh cubes;
   for (int n = 0; n < 27; ++n) {
