@@ -94,7 +94,7 @@ cloud::TriangleMesh placed_mesh(const std::filesystem::path& file, const FieldVi
 field_file::OpenField field_beside(const std::filesystem::path& file, const FieldView& field) {
   const cloud::TriangleMesh mesh = placed_mesh(file, field);
   try {
-    return evaluate::field_of_mesh(mesh, to_double(field.edge), to_double(field.band));
+    return evaluate::field_of_mesh(mesh, to_double(field.edge), to_double(field.band), field.interpolation);
   } catch (const field::DoesNotFit& error) {
     throw InputError(file.string() + ": " + error.fact() + "; name a mesh of the same object, in the same frame and unit");
   }

@@ -42,12 +42,14 @@ field_file::OpenField floor_of_mesh(const FieldView& field, const cloud::Triangl
                                 "the mesh's exact distances");
 }
 
-field_file::OpenField field_of_mesh(const cloud::TriangleMesh& mesh, double edge, double band) {
+field_file::OpenField field_of_mesh(const cloud::TriangleMesh& mesh, double edge, double band, Interpolation interpolation) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& vertex : mesh.vertices) box.extend(vertex);
   const field::Grid grid = field::make_grid(box.min(), box.max(), edge, field::mesh_margin(band));
   const field::MeshDistance distance(mesh);
-  return field_file::open_field(encoding::write_image(field::mesh_field(distance, grid, band), {}), "another mesh");
+  encoding::FieldInfo info;
+  info.interpolation = interpolation;
+  return field_file::open_field(encoding::write_image(field::mesh_field(distance, grid, band), info), "another mesh");
 }
 
 }  // namespace isotouch::evaluate

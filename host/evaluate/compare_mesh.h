@@ -34,6 +34,6 @@ field_file::OpenField floor_of_mesh(const FieldView& field, const cloud::Triangl
 /// edge      of a voxel, mm
 /// band      half width, voxels
 /// fails     InputError of `make_grid`
-field_file::OpenField field_of_mesh(const cloud::TriangleMesh& mesh, double edge, double band);
+field_file::OpenField field_of_mesh(const cloud::TriangleMesh& mesh, double edge, double band, Interpolation interpolation);
 
 }  // namespace isotouch::evaluate

@@ -171,7 +171,7 @@ DirtySurface measured_beside(const Subject& subject, const Dirtied& dirtied, con
   try {
     cloud::TriangleMesh mesh = reconstruct(dirtied.points);
     for (Vector3d& vertex : mesh.vertices) vertex *= kVoxel;
-    open = field_of_mesh(mesh, kVoxel, field::kBand);
+    open = field_of_mesh(mesh, kVoxel, field::kBand, Interpolation::kSpline);
   } catch (const InputError& error) {
     result.refused = error.what();
   }

@@ -199,9 +199,13 @@ void expect_floor(const nlohmann::json& compared) {
   }
 }
 
+void write_box(const fs::path& path) {
+  std::ofstream(path) << "v 0 0 0\nv 3 0 0\nv 0 2 0\nv 3 2 0\nv 0 0 1\nv 3 0 1\nv 0 2 1\nv 3 2 1\n"
+                         "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+}
+
 TEST_F(Build, AMeshComesBackAsExactAsItsGridCanHold) {
-  std::ofstream(file("box.obj")) << "v 0 0 0\nv 3 0 0\nv 0 2 0\nv 3 2 0\nv 0 0 1\nv 3 0 1\nv 0 2 1\nv 3 2 1\n"
-                                    "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+  write_box(file("box.obj"));
   const auto json = nlohmann::ordered_json::parse(run("build " + file("box.obj") + " -o " + file("m.itf") + " --grid 60 --json"));
   EXPECT_EQ(json["input"], "mesh");
   EXPECT_EQ(json["points"], 8);
@@ -210,6 +214,16 @@ TEST_F(Build, AMeshComesBackAsExactAsItsGridCanHold) {
   const double volume = 60.0 * 40 * 20;
   EXPECT_NEAR(json["inside_nodes"].get<double>(), volume, 0.08 * volume);
   expect_floor(nlohmann::json::parse(run("compare " + file("m.itf") + " " + file("box.obj") + " --floor --json")));
+}
+
+TEST_F(Build, AnotherMeshIsInterpolatedAsTheField) {
+  write_box(file("box.obj"));
+  for (const char* interpolation : {"spline", "trilinear"}) {
+    run("build " + file("box.obj") + " -o " + file("m.itf") + " --grid 24 --interpolation " + interpolation);
+    const auto json =
+        nlohmann::json::parse(run("compare " + file("m.itf") + " " + file("box.obj") + " --beside " + file("box.obj") + " --json"));
+    for (const char* key : {"rms_voxel", "p99_voxel", "normal_rms_deg"}) EXPECT_EQ(json["beside"][key], json[key]) << key;
+  }
 }
 
 TEST_F(Build, ARealMeshComesBackAsExactAsItsGridCanHold) {

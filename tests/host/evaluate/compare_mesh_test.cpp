@@ -37,5 +37,11 @@ TEST(CompareMesh, TheFloorHasTheFieldsStiffnessAndInterpolation) {
   }
 }
 
+TEST(CompareMesh, AnotherMeshHasTheInterpolationThatIsAskedFor) {
+  const cloud::TriangleMesh mesh = ball(kBall, 3);
+  for (const Interpolation interpolation : {Interpolation::kSpline, Interpolation::kTrilinear})
+    EXPECT_EQ(field_of_mesh(mesh, 0.4, 3, interpolation).view.interpolation, interpolation);
+}
+
 }  // namespace
 }  // namespace isotouch::evaluate
