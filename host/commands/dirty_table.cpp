@@ -149,7 +149,8 @@ std::size_t print_dirty(const DirtyChoice& choice, bool json) {
   if (json) {
     print_json(nlohmann::ordered_json{{"dirty", list}, {"wrong_but_plausible", believed}});
   } else {
-    std::printf("%zu builds: %zu wrong or refused, %zu of them called plausible; %zu right, but in doubt\n", all, wrong, believed, doubted);
+    std::printf("%zu builds: %zu wrong or refused, %zu of them called plausible; %zu right, but in doubt; detached pieces are not judged\n",
+                all, wrong, believed, doubted);
     if (other) {
       std::printf("of %zu that both built we are nearer in %zu from truth to surface; of the %zu whole ones in %zu from surface to truth\n",
                   tally.both, tally.surface, tally.both_whole, tally.truth);

@@ -58,7 +58,8 @@ struct DirtySurface {
   double wrong_side =
       0;  ///< share of places two voxels off the scanned surface, not off its holes, that are on the wrong side of the field's
 
-  /// More than 1 % of the scanned side on the wrong side, the volume off by more than 5 %, or no place of the truth near the surface.
+  /// More than 1 % of the scanned side on the wrong side, the volume off by more than 5 %, or no place of the truth near the surface. Pieces that stand
+  /// alone are not judged: what strays leave of them is a few voxels large.
   bool wrong() const;
 };
 
