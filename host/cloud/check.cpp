@@ -56,12 +56,25 @@ void drop_zero_normals(const std::string& name, Model& model) {
     first = i;
   }
   if (zero == 0) return;
-  if (zero == model.normals.size()) throw InputError(name + ": all normals are zero; choose --normals estimate");
+  if (zero == model.normals.size()) throw InputError(name + ": all normals are zero or not finite numbers; choose --normals estimate");
   if (kOneIn * zero > model.normals.size()) {  // a whole part of a body may be gone with so many
-    throw InputError(name + ": " + model.place(first) + ": the normal is zero, as at " + std::to_string(zero) + " of " +
-                     std::to_string(model.normals.size()) + " points; remove these points, or choose --normals estimate");
+    throw InputError(name + ": " + model.place(first) + ": the normal is zero or not a finite number, as at " + std::to_string(zero) +
+                     " of " + std::to_string(model.normals.size()) + " points; remove these points, or choose --normals estimate");
   }
   model.incomplete += keep_points(model, is_oriented);
+}
+
+bool is_nearly_unit(double length) { return length >= kShortestNormal && length <= kMaxNormal; }
+
+/// first   the first point whose normal is far from unit length
+InputError not_unit(const std::string& name, const Model& model, std::size_t first) {
+  const auto off = std::count_if(model.normals.begin(), model.normals.end(),
+                                 [](const Vector3d& n) { return n.norm() >= kZeroNormal && !is_nearly_unit(n.norm()); });
+  return InputError(name + ": " + model.place(first) + ": the normal has length " + std::to_string(model.normals[first].norm()) +
+                    " instead of 1, and " + std::to_string(off) + " of " + std::to_string(model.normals.size()) +
+                    " normals are that far off; normalise them, " +
+                    (model.format == "text" ? "choose --normals estimate, or remove columns 4 to 6 if they hold something else"
+                                            : "or choose --normals estimate"));
 }
 
 /// Brings the normals but for zeros to unit length in their places.
@@ -72,11 +85,7 @@ void make_unit_normals(const std::string& name, Model& model, CloudReport& repor
     }
     const double length = model.normals[i].norm();
     const bool has_normal = report.has_normals && length >= kZeroNormal;
-    if (has_normal && !(length >= kShortestNormal && length <= kMaxNormal)) {
-      throw InputError(name + ": " + model.place(i) + ": the normal has length " + std::to_string(length) +
-                       " instead of 1; normalise the normals" +
-                       (model.format == "text" ? ", or remove columns 4 to 6 if they hold something else" : ""));
-    }
+    if (has_normal && !is_nearly_unit(length)) throw not_unit(name, model, i);
     if (!model.stiffness.empty() && !(model.stiffness[i] > 0.0 && model.stiffness[i] <= kStiffest)) {
       throw InputError(name + ": " + model.place(i) + ": the stiffness is " + std::to_string(model.stiffness[i]) +
                        " N/mm; it must be above 0 and at most 100");

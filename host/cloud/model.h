@@ -52,6 +52,9 @@ struct Model {
   }
 };
 
+/// A normal of a file; zero where it is not finite: programs write NaN for one that they do not know, and `check` counts those of zero.
+inline Eigen::Vector3d known_or_zero(const Eigen::Vector3d& normal) { return normal.allFinite() ? normal : Eigen::Vector3d(0, 0, 0); }
+
 /// Leaves points out of a model without a grid.
 ///
 /// stays     called with each point's index

@@ -159,7 +159,8 @@ void read_row(Rows& rows, const PlyElement& element, const RowUses& row, std::si
     if (!property.count_type) {
       const double value = rows.number(property.type, property.name);
       if (uses[i] == Use::kSkip) continue;
-      if (!std::isfinite(value))
+      const bool is_of_normal = uses[i] >= Use::kNormalX && uses[i] <= Use::kNormalZ;
+      if (!std::isfinite(value) && !is_of_normal)
         throw rows.refusal(property.name + " is not a finite number; correct it, or save the cloud without this point");
       vertex[static_cast<std::size_t>(uses[i]) - 1] = value;
       continue;
@@ -178,7 +179,7 @@ void read_row(Rows& rows, const PlyElement& element, const RowUses& row, std::si
   }
   if (element.name == "vertex") {
     model.positions.emplace_back(vertex[0], vertex[1], vertex[2]);
-    if (row.has_normals) model.normals.emplace_back(vertex[3], vertex[4], vertex[5]);
+    if (row.has_normals) model.normals.push_back(known_or_zero({vertex[3], vertex[4], vertex[5]}));
     if (row.has_stiffness) model.stiffness.push_back(vertex[6]);
     if (const auto line = rows.line()) model.lines.push_back(*line);
   }

@@ -19,7 +19,8 @@ namespace isotouch::cloud {
 /// header    of the same bytes
 /// returns   a model; without normals, stiffness or faces where the file has none
 /// fails     InputError with the line, or for binary files the element's number: bad grammar, unknown types, counts that the file cannot hold,
-///           a body that is too short or too long, numbers that are not finite, faces or cells that refer to no vertex
+///           a body that is too short or too long, coordinates or stiffnesses that are not finite (a normal becomes zero), faces or cells that refer to no
+///           vertex
 /// source    G. Turk, "The PLY Polygon File Format", 1994; of the range images: B. Curless, Stanford 3D Scanning Repository, whose scanner looks
 ///           along -z, and PCL's PLYWriter, whose camera is the origin
 Model read_ply(const std::string& name, std::span<const std::uint8_t> bytes, const PlyHeader& header);

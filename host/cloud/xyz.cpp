@@ -108,7 +108,7 @@ Table read_table(const std::string& name, std::span<const std::uint8_t> bytes) {
       TextLines rest = lines;
       while (rest.field() && row.size() < 7) row.push_back(lines.number("a coordinate"));
     }
-    for (std::size_t i = 0; i < row.size(); ++i) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(row.size(), 3); ++i) {
       if (!std::isfinite(row[i]))
         throw lines.refusal("number " + std::to_string(i + 1) + " is not a finite number; correct or remove the line");
     }
@@ -122,7 +122,7 @@ Table read_table(const std::string& name, std::span<const std::uint8_t> bytes) {
     }
     table.is_named = names.has_value();
     table.first.emplace_back(row[0], row[1], row[2]);
-    if (columns == 6) table.second.emplace_back(row[3], row[4], row[5]);
+    if (columns == 6) table.second.push_back(known_or_zero({row[3], row[4], row[5]}));
     table.lines.push_back(lines.line());
   }
   return table;

@@ -15,7 +15,7 @@ namespace isotouch::cloud {
 /// lines and lines that begin with `#` or `//` are skipped.
 ///
 /// returns   points with normals; without normals when the lines hold `x y z` only
-/// fails     InputError with the line: no number, not finite, another number of columns, another count than stated
+/// fails     InputError with the line: no number, a coordinate that is not finite (a normal becomes zero), another number of columns, another count than stated
 Model read_xyz(const std::string& name, std::span<const std::uint8_t> bytes);
 
 }  // namespace isotouch::cloud

@@ -162,6 +162,17 @@ TEST(Check, WhatMayBeNoNormalIsRefusedWithItsPlace) {
   }
 }
 
+TEST(Check, NormalsFarFromUnitLengthAreCounted) {
+  Model model = model_of(sample_shape(shape("sphere"), 100, 1));
+  model.normals[0] *= 0.51;
+  for (const std::size_t i : {41U, 50U, 60U}) model.normals[i] *= 0.25;
+  model.normals[70] *= 3.0;
+  model.normals[80].setZero();
+  expect_refused(model,
+                 "point 42: the normal has length 0.250000 instead of 1, and 4 of 100 normals are that far off; normalise them, or choose "
+                 "--normals estimate");
+}
+
 TEST(Check, ACoordinateThatIsTooLargeIsRefusedWithItsPlace) {
   for (const double coordinate : {1.001e12, -1.001e12, 1e300, -1e300}) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -202,13 +213,14 @@ TEST(Check, FewPointsWithoutNormalAreLeftOutAndManyRefused) {
   EXPECT_THAT(report.warnings(),
               ::testing::ElementsAre("10 points were left out: the normal is zero, or it or a coordinate is not a finite number"));
   set_zero(11);
-  expect_refused(model_of(cloud),
-                 "point 11: the normal is zero, as at 11 of 100 points; remove these points, or choose --normals estimate");
+  expect_refused(
+      model_of(cloud),
+      "point 11: the normal is zero or not a finite number, as at 11 of 100 points; remove these points, or choose --normals estimate");
   set_zero(10);
   cloud.normals[50] *= 3.0;
   expect_refused(model_of(cloud), "point 51: the normal has length 3");
   cloud.normals.assign(100, Vector3d::Zero());
-  expect_refused(model_of(cloud), "all normals are zero; choose --normals estimate");
+  expect_refused(model_of(cloud), "all normals are zero or not finite numbers; choose --normals estimate");
 }
 
 TEST(Check, NormalsThatAreCodedWithoutASignAreRefused) {

@@ -105,7 +105,7 @@ std::vector<Malformed> all() {
        with(little, "end_header", "element face 1\nproperty list char int vertex_indices\nend_header") + zeros + "\xff",
        "face 1 of 1: list vertex_indices has an impossible length"},
       {"binary infinity", "a.ply", little + infinite, "vertex 3 of 8: y is not a finite number"},
-      {"binary zero normals", "a.ply", little + zeros, "all normals are zero; choose --normals estimate"},
+      {"binary zero normals", "a.ply", little + zeros, "all normals are zero or not finite numbers; choose --normals estimate"},
       {"face without vertex", "a.ply",
        with(ascii, "end_header", "element face 1\nproperty list uchar int vertex_indices\nend_header") + cube() + "3 0 1 8\n",
        "line 21: a corner refers to a vertex that is not there; there are 8"},
@@ -114,6 +114,10 @@ std::vector<Malformed> all() {
       {"one line too many", "a.ply", ascii + cube() + "1 2 3 0 0 1\n", "line 19: more rows than the header declares"},
       {"nan", "a.ply", ascii + with(cube(), "1 1 -1", "1 nan -1"),
        "line 12: y is not a finite number; correct it, or save the cloud without this point"},
+      {"nan for a normal", "a.ply", ascii + with(cube(), "0.577 -0.577 0.577", "0.577 nan 0.577"),
+       "line 13: the normal is zero or not a finite number, as at 1 of 8 points; remove these points, or choose --normals estimate"},
+      {"nan for a normal in text", "a.xyz", with(cube(), "0.577 -0.577 0.577", "nan nan nan"),
+       "line 3: the normal is zero or not a finite number, as at 1 of 8 points; remove these points, or choose --normals estimate"},
       {"text in a row", "a.ply", ascii + with(cube(), "1 1 -1", "1 one -1"), "line 12: 'one' is no number; y should stand there"},
       {"number too many", "a.ply", ascii + with(cube(), "0.577\n", "0.577 9\n"), "line 11: '9' follows the last property"},
       {"normal far from unit", "a.xyz", with(cube(), "0.577 0.577 -0.577", "57 57 -57"), "line 2: the normal has length 98.7"},
@@ -127,7 +131,9 @@ std::vector<Malformed> all() {
       {"decimal commas between semicolons", "a.xyz", "1,5;2;-3,0;0;0;1\n", "line 1: its numbers have decimal commas"},
       {"UTF-16", "a.txt", std::string("\xFF\xFE") + "1\0\n\0", "the text is encoded as UTF-16; save it as UTF-8"},
       {"something else for normals", "a.txt", "1 2 3 255 -128 0\n",
-       "instead of 1; normalise the normals, or remove columns 4 to 6 if they hold something else"},
+       "instead of 1, and 1 of 1 normals are that far off; normalise them, choose --normals estimate, or remove columns 4 to 6 if they "
+       "hold "
+       "something else"},
       {"colours from 0 to 1", "a.txt", "1 2 3 0.8 0.8 0.8\n", "the numbers in columns 4 to 6 are never negative and not of length 1"},
       {"nine columns", "a.txt", "1 2 3 255 255 255 0 0 1\n", "line 1: more than 6 numbers"},
       {"columns change", "a.pwn", cube() + "1 2 3\n",
@@ -267,6 +273,17 @@ TEST(SoundClouds, TheCubeThatTheyAreMadeFromIsAcceptedInAnyDress) {
     CloudReport report;
     EXPECT_EQ(read_cloud(folder.write(name, content), report).size(), 8U) << name;
     EXPECT_THAT(report.warnings(), ::testing::IsEmpty()) << name;
+  }
+}
+
+TEST(SoundClouds, OfWrongNormalsAreAcceptedWhereNormalsAreEstimated) {
+  const ScratchFolder folder;
+  for (const char* normal : {"nan nan nan", "0 0 inf", "0 0 0", "0 0 9"}) {
+    for (const auto& [name, begin] : {std::pair<const char*, std::string>{"a.ply", header("ascii", "8")}, {"b.xyz", ""}}) {
+      CloudReport report;
+      const auto file = folder.write(name, begin + with(cube(), "0.577 0.577 -0.577", normal));
+      EXPECT_EQ(read_cloud(file, report, true).size(), 8U) << name << ' ' << normal;
+    }
   }
 }
 
