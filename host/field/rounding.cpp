@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 
 namespace isotouch::field {
 
@@ -78,6 +79,15 @@ double float_step(const std::vector<Eigen::Vector3d>& positions) {
     farthest = std::max(farthest, rounded.cwiseAbs().maxCoeff());
   }
   return static_cast<double>(farthest - std::nextafter(farthest, 0.0F));
+}
+
+std::string floats_too_coarse(double voxels) {
+  std::array<char, 200> text{};
+  std::snprintf(text.data(), text.size(),
+                "the coordinates are so far from the origin that 32-bit floats have steps of %.1f voxels there; shift the scan to a local "
+                "origin, or save it with doubles",
+                voxels);
+  return text.data();
 }
 
 }  // namespace isotouch::field

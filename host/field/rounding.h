@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 namespace isotouch::field {
@@ -16,5 +17,12 @@ double rounding_step(const std::vector<Eigen::Vector3d>& positions);
 /// returns     if all coordinates are 32-bit floats, the step between those as far from the origin as the farthest point, the largest of the three axes;
 ///             else 0
 double float_step(const std::vector<Eigen::Vector3d>& positions);
+
+/// Up to which rounding the points of a scan without normals tell their surface, voxels: at 4.0 two of four bodies had 2 % of their places on the wrong side,
+/// at 2.0 none of four.
+inline constexpr double kMostRoundedOfEstimated = 3.0;
+
+/// Why floats of such a step are refused, and what to do.
+std::string floats_too_coarse(double voxels);
 
 }  // namespace isotouch::field

@@ -110,6 +110,13 @@ double median(std::vector<double> values) {
   return *place;
 }
 
+/// Distance to the nearest sample, the median.
+double median_nearest(const Scan& scan) {
+  std::vector<double> nearest;
+  for (std::size_t i = 0; i < scan.size(); ++i) nearest.push_back(std::sqrt(scan.around(i)[1].squared_distance));
+  return median(std::move(nearest));
+}
+
 /// Would it be a closed surface if neighbours agreed? Then it only looks like a sheet, because a half of its normals point inward.
 bool closed_by_neighbours(const Scan& scan) {
   Scan trial({scan.positions(), scan.normals(), {}});
@@ -122,14 +129,26 @@ InputError refusal(const ScanOptions& options, const std::string& sentence) {
   return InputError((options.name.empty() ? "" : options.name + ": ") + sentence);
 }
 
+/// The voxel that such a scan gets where nobody says how fine, the scan's unit.
+double usual_voxel(const Scan& scan) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& p : scan.positions()) box.extend(p);
+  return box.sizes().maxCoeff() / default_grid(box.sizes(), median_nearest(scan));
+}
+
 /// scan      its normals agree with each other; nobody knows which of the two sides is outside
 InputError one_side_only(const Scan& scan, const ScanOptions& options) {
+  // Floats too coarse leave slices of an object, each of which looks like a sheet.
+  const double rounded = float_step(scan.positions()) / usual_voxel(scan);
+  if (rounded > kMostRoundedOfEstimated) return refusal(options, floats_too_coarse(rounded));
   const std::optional<CutPlane> end = cut_plane(scan, open_rim(scan));
   const bool may_be_table = end && end->is_flat();
-  return refusal(options, std::string("the points have no normals and show one side of an object only: ") +
-                              (may_be_table ? "they end at the edge of a flat part; if that is a table or a wall, remove it, else " : "") +
-                              "give the sensor's place with --viewpoint X Y Z" +
-                              (options.sensor_doubt.empty() ? "" : "; " + options.sensor_doubt));
+  return refusal(options,
+                 std::string("the points have no normals and show one side of an object only: ") +
+                     (may_be_table ? "they end at the edge of a flat part; if that is a table or a wall, remove it, else " : "") +
+                     "give the sensor's place with --viewpoint X Y Z, or scan all round; if several views were merged, save the scan with "
+                     "outward normals" +
+                     (options.sensor_doubt.empty() ? "" : "; " + options.sensor_doubt));
 }
 
 /// Do all normals look the same way, and leave the surface on which the points lie? Terraces seen from above have equal normals, too, but the nearest of
@@ -301,9 +320,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   result.contradicted = contradictions(*scan);
   result.rounding = rounding_step(scan->positions());
   result.float_step = float_step(scan->positions());
-  std::vector<double> nearest;
-  for (std::size_t i = 0; i < scan->size(); ++i) nearest.push_back(std::sqrt(scan->around(i)[1].squared_distance));
-  result.spacing = median(std::move(nearest));
+  result.spacing = median_nearest(*scan);
   const Roughness rough = roughness(*scan, result.spacing);
   result.noise = rough.noise();
   result.tilt = rough.tilt;

@@ -11,6 +11,7 @@
 #include "host/cloud/check.h"
 #include "host/field/hull_volume.h"
 #include "host/field/parallel.h"
+#include "host/field/rounding.h"
 #include "host/field/unseen_share.h"
 
 namespace isotouch::field {
@@ -49,11 +50,10 @@ constexpr double kMostDebris = 0.05;
 // Of a rim's mean normal: a hole in a face has 0.4 and more, the open end of a limb or of a plate at most 0.2.
 constexpr double kTubeEnd = 0.25;
 
-constexpr double kMostInLines = 0.25;            // lines five times as far apart as the points on them have 0.36 and more, real scans 0.001
-constexpr double kMostRounded = 4.5;             // voxels: up to 4.4 seven bodies came out right, at 5.0 one had 1.13 times its volume
-constexpr double kMostRoundedOfEstimated = 3.0;  // at 4.0 two of four bodies had 2 % of their places on the wrong side, at 2.0 none of four
-constexpr double kAlongAxis = 0.99;              // cosine
-constexpr double kAlongAxes = 0.9;               // of the normals: a body of flat faces along the axes may well lie on a lattice
+constexpr double kMostInLines = 0.25;  // lines five times as far apart as the points on them have 0.36 and more, real scans 0.001
+constexpr double kMostRounded = 4.5;   // voxels: up to 4.4 seven bodies came out right, at 5.0 one had 1.13 times its volume
+constexpr double kAlongAxis = 0.99;    // cosine
+constexpr double kAlongAxes = 0.9;     // of the normals: a body of flat faces along the axes may well lie on a lattice
 // Of the points: in patches. 19 real clouds have none; a wall seen through a ball's opening is 0.017 of six views together.
 constexpr double kMostPatches = 0.005;
 constexpr double kRemovable = 0.2;  // of the points: so many patches are the scan itself
@@ -275,7 +275,7 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
             " of the surface lies within another layer of the scan; align the scans that were merged, or remove one of the layers");
   refuse(sound.layered > kLayered && verdict.noise_spacing > kLayersApart,
          "the points lie in two layers so close to each other that, without normals, nobody knows whether they are the two sides of a thin "
-         "wall; save the scan with outward normals, or scan more densely");
+         "wall or scans that do not fit; align the scans that were merged, save the scan with outward normals, or scan more densely");
   const double rounded = sound.rounding / field.grid.edge;
   const auto along_axis = [](const Vector3d& normal) { return normal.cwiseAbs().maxCoeff() > kAlongAxis; };
   const auto straight = std::count_if(sound.points.normals.begin(), sound.points.normals.end(), along_axis);
@@ -284,8 +284,7 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
          "the coordinates are rounded to steps of " + tenths(rounded) +
              " voxels; save the scan with more digits, or choose a coarser --voxel");
   const double far = sound.float_step / field.grid.edge;
-  refuse(far > most_rounded, "the coordinates are so far from the origin that 32-bit floats have steps of " + tenths(far) +
-                                 " voxels there; shift the scan to a local origin, or save it with doubles");
+  refuse(far > most_rounded, floats_too_coarse(far));
   for (const std::string& reason : reasons_of_scan(sound)) refuse(true, reason);
   refuse(verdict.noise_spacing > kMostNoise,
          "the points scatter by " + per_cent(verdict.noise_spacing) + " of their spacing; smooth the scan, or scan again");

@@ -23,11 +23,13 @@ namespace {
 using cloud::OrientedPoints;
 using cloud::Random;
 using Eigen::Vector3d;
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
+using ::testing::ThrowsMessage;
 
 OrientedPoints of(const char* shape, std::size_t count = 3756) { return cloud::sample_shape(cloud::shape(shape), count); }
 
@@ -161,9 +163,25 @@ TEST(SoundScan, NamesTheTableUnderAnObject) {
   EXPECT_EQ(
       refusal_without_normals(points),
       "scan.xyz: the points have no normals and show one side of an object only: they end at the edge of a flat part; if that is a table "
-      "or a wall, remove it, else give the sensor's place with --viewpoint X Y Z");
+      "or a wall, remove it, else give the sensor's place with --viewpoint X Y Z, or scan all round; if several views were merged, save "
+      "the scan with outward normals");
   EXPECT_EQ(refusal_without_normals(relief()),
-            "scan.xyz: the points have no normals and show one side of an object only: give the sensor's place with --viewpoint X Y Z");
+            "scan.xyz: the points have no normals and show one side of an object only: give the sensor's place with --viewpoint X Y Z, or "
+            "scan all round; if several views were merged, save the scan with outward normals");
+}
+
+/// Coordinates of a map in 32-bit floats, which leave slices of an object: each of them looks like a sheet.
+TEST(SoundScan, NamesFloatsThatAreTooCoarseBeforeTheMissingSide) {
+  for (const char* shape : {"plate", "capsules"}) {
+    OrientedPoints points = of(shape, 6000);
+    for (Vector3d& p : points.positions) p = 0.05 * p + Vector3d(5e5, 4.6e6, 120);
+    EXPECT_NO_THROW((void)sound_scan(points, {.estimate = true})) << shape;
+    for (Vector3d& p : points.positions) p = p.cast<float>().cast<double>();
+    EXPECT_THAT(
+        [&] { (void)sound_scan(points, {.estimate = true}); },
+        ThrowsMessage<InputError>(AllOf(HasSubstr("32-bit floats have steps of "), HasSubstr("; shift the scan to a local origin"))))
+        << shape;
+  }
 }
 
 TEST(SoundScan, TurnsAClosedSurfaceThatIsInsideOut) {

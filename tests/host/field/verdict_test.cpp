@@ -66,6 +66,7 @@ TEST(VerdictHeavy, WithoutNormalsAThinWallIsNoNoise) {
   Progress progress;
   const Verdict verdict = scan_field(sound_scan(std::move(wall), {.estimate = true}), 1.6, kBand, progress).verdict;
   EXPECT_THAT(verdict.reasons, Contains(HasSubstr("two layers")));
+  EXPECT_THAT(verdict.reasons, Contains(HasSubstr("or scans that do not fit; align the scans that were merged, save")));
 }
 
 TEST(VerdictHeavy, HalvesOfAScanThatOverlapBesideEachOtherAreRefused) {
