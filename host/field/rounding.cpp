@@ -71,6 +71,15 @@ double rounding_step(const std::vector<Eigen::Vector3d>& positions) {
   return step > 0.0 && are_middles(positions, step) ? 2.0 * step : step;
 }
 
+AxisStep coarsest_axis(const std::vector<Eigen::Vector3d>& positions) {
+  AxisStep coarsest;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double step = step_along(positions, axis);
+    if (step > coarsest.step) coarsest = {axis, step};
+  }
+  return coarsest;
+}
+
 double float_step(const std::vector<Eigen::Vector3d>& positions) {
   float farthest = 0.0F;
   for (const Eigen::Vector3d& position : positions) {

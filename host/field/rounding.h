@@ -13,6 +13,14 @@ namespace isotouch::field {
 ///             middle of a lattice's edges or faces, such as the border of a volume of voxels, the lattice's own step, two of these
 double rounding_step(const std::vector<Eigen::Vector3d>& positions);
 
+struct AxisStep {
+  int axis = 0;
+  double step = 0;  ///< 0: none
+};
+
+/// returns   the axis with the longest step of those that have one. Its cause may be rounding, or a scanner that takes slices
+AxisStep coarsest_axis(const std::vector<Eigen::Vector3d>& positions);
+
 /// positions   any length unit, in the file's frame
 /// returns     if all coordinates are 32-bit floats, the step between those as far from the origin as the farthest point, the largest of the three axes;
 ///             else 0

@@ -22,7 +22,6 @@
 #include "host/field/parallel.h"
 #include "host/field/quadric_fit.h"
 #include "host/field/roughness.h"
-#include "host/field/rounding.h"
 #include "host/field/scan.h"
 #include "host/field/scan_lines.h"
 #include "host/field/sheet_back.h"
@@ -319,6 +318,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   result.one_sided = facing.one_sided;
   result.contradicted = contradictions(*scan);
   result.rounding = rounding_step(scan->positions());
+  result.coarsest = coarsest_axis(scan->positions());
   result.float_step = float_step(scan->positions());
   result.spacing = median_nearest(*scan);
   const Roughness rough = roughness(*scan, result.spacing);
@@ -377,6 +377,7 @@ void SoundScan::place(const cloud::Placement& placement) {
   for (auto& link : rim.links) link = {placement.to_workspace(link[0]), placement.to_workspace(link[1])};
   spacing *= placement.scale;
   rounding *= placement.scale;
+  coarsest.step *= placement.scale;
   float_step *= placement.scale;
   enclosed *= placement.scale * placement.scale * placement.scale;
 }

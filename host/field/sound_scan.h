@@ -10,6 +10,7 @@
 #include "host/cloud/oriented_points.h"
 #include "host/field/default_grid.h"
 #include "host/field/open_rim.h"
+#include "host/field/rounding.h"
 
 namespace isotouch::field {
 
@@ -45,6 +46,7 @@ struct SoundScan {
   double layered = 0;                 ///< where the file has no normals: `Roughness::layered`
   double spacing = 0;                 ///< median distance to the nearest point, their unit
   double rounding = 0;                ///< the step to which all coordinates were rounded (rounding.h), their unit
+  AxisStep coarsest;                  ///< `coarsest_axis`, their unit
   double float_step = 0;              ///< between the 32-bit floats in which all coordinates are (rounding.h), their unit
   double hidden = 0;                  ///< `hidden_share` from the sensor's place, where that is known
   double in_lines = 0;                ///< where the file has no normals: `share_in_lines`

@@ -159,10 +159,16 @@ constexpr const char* kSparseSide =
     " points form a surface that is much sparser than the one on the other side of its wall; scan more densely there, or thin out the rest";
 
 /// What may explain all the reasons that there are.
-std::vector<std::string> explanations(const SoundScan& sound) {
+///
+/// along_axis   the voxels of `SoundScan::coarsest`; 0 where no rounding has to be named
+std::vector<std::string> explanations(const SoundScan& sound, double along_axis) {
   if (sound.sensor_from == SensorFrom::kDepthImage)
     return {"if the depth image shows more than the object, such as a wall behind it, set pixels that are not the object to 0"};
   std::vector<std::string> list;
+  if (along_axis > kMostRoundedOfEstimated) {
+    list.push_back(std::string("the coordinates along ") + "xyz"[sound.coarsest.axis] + " come in steps of " + tenths(along_axis) +
+                   " voxels; if they are rounded, save the scan with more digits");
+  }
   if (sound.is_sheet && sound.is_on_table)
     list.emplace_back("the scan ends at the edge of a flat part; if that is a table or a wall, remove it");
   if (static_cast<double>(sound.sparse) > kManySparse * static_cast<double>(sound.measured))
@@ -280,9 +286,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   const auto along_axis = [](const Vector3d& normal) { return normal.cwiseAbs().maxCoeff() > kAlongAxis; };
   const auto straight = std::count_if(sound.points.normals.begin(), sound.points.normals.end(), along_axis);
   const double most_rounded = sound.is_estimated ? kMostRoundedOfEstimated : kMostRounded;
-  refuse(rounded > most_rounded && static_cast<double>(straight) < kAlongAxes * static_cast<double>(sound.points.size()),
-         "the coordinates are rounded to steps of " + tenths(rounded) +
-             " voxels; save the scan with more digits, or choose a coarser --voxel");
+  const bool may_be_rounded = static_cast<double>(straight) < kAlongAxes * static_cast<double>(sound.points.size());
+  refuse(rounded > most_rounded && may_be_rounded, "the coordinates are rounded to steps of " + tenths(rounded) +
+                                                       " voxels; save the scan with more digits, or choose a coarser --voxel");
   const double far = sound.float_step / field.grid.edge;
   refuse(far > most_rounded, floats_too_coarse(far));
   for (const std::string& reason : reasons_of_scan(sound)) refuse(true, reason);
@@ -344,7 +350,8 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
             " that no points support had to be removed; check the normals and remove strays");
   refuse(verdict.reasons.empty() && together > kMostTogether, "several figures are near their limits, above all this: " + above_all);
   if (!verdict.plausible()) {
-    const std::vector<std::string> first = explanations(sound);
+    const bool is_named = rounded > most_rounded || far > most_rounded;
+    const std::vector<std::string> first = explanations(sound, is_named || !may_be_rounded ? 0.0 : sound.coarsest.step / field.grid.edge);
     verdict.reasons.insert(verdict.reasons.begin(), first.begin(), first.end());
   }
   return verdict;

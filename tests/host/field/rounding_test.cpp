@@ -44,6 +44,16 @@ TEST(Rounding, AFewUnevenPointsHideNoStep) {
   EXPECT_NEAR(rounding_step(positions), 2.0, 1e-9);
 }
 
+TEST(Rounding, TheCoarsestAxisIsFoundAmongUnroundedOnes) {
+  std::vector<Vector3d> positions = cloud::sample_shape(cloud::shape("owl"), 4000).positions;
+  EXPECT_EQ(coarsest_axis(positions).step, 0.0);
+  for (Vector3d& p : positions) p.x() = 0.7 * std::round(p.x() / 0.7);
+  for (Vector3d& p : positions) p.y() = 2.0 * std::round(p.y() / 2.0);
+  EXPECT_EQ(coarsest_axis(positions).axis, 1);
+  EXPECT_NEAR(coarsest_axis(positions).step, 2.0, 1e-9);
+  EXPECT_EQ(rounding_step(positions), 0.0) << "of all axes";
+}
+
 /// As scan lines give them that are 1.7 steps apart.
 TEST(Rounding, StepsThatPointsLeaveOutAreFound) {
   std::vector<Vector3d> positions;

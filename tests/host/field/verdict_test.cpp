@@ -301,6 +301,27 @@ TEST(Verdict, WhatExplainsOtherReasonsStandsBeforeThem) {
                           HasSubstr("of the volume"), HasSubstr("no points support")));
 }
 
+TEST(Verdict, StepsAlongOneAxisExplainOtherReasons) {
+  OrientedPoints points = of("sphere");
+  for (Vector3d& p : points.positions) p.y() = 4.8 * std::round(p.y() / 4.8);
+  SoundScan sound = sound_scan(points);
+  EXPECT_NEAR(sound.coarsest.step, 4.8, 1e-9);
+  ASSERT_EQ(sound.rounding, 0.0) << "of all axes";
+  Progress progress;
+  ScanField built = scan_field(sound, 1.5, kBand, progress);
+  const auto reasons = [&](double surprising, double edge_of_step) {
+    built.repair.surprising = surprising;
+    sound.coarsest.step = 1.5 * edge_of_step;
+    return judge(built.field, sound, built.repair, Spacings(sound.points)).reasons;
+  };
+  EXPECT_THAT(reasons(0.0, 3.2), Each(Not(HasSubstr("come in steps")))) << "nothing to be explained";
+  EXPECT_THAT(reasons(0.9, 3.2).front(),
+              "the coordinates along y come in steps of 3.2 voxels; if they are rounded, save the scan with more digits");
+  EXPECT_THAT(reasons(0.9, 2.9), Each(Not(HasSubstr("come in steps"))));
+  sound.float_step = 9.0;
+  EXPECT_THAT(reasons(0.9, 3.2), Each(Not(HasSubstr("come in steps")))) << "the floats are named";
+}
+
 TEST(Verdict, OfSurprisesOnAFinerGridThanUsualTheGridIsNamedFirst) {
   const SoundScan sound = sound_scan(of("sphere"));
   Progress progress;
