@@ -37,7 +37,7 @@ struct Model {
   std::vector<std::array<std::uint32_t, 3>> faces;  ///< indices of positions; larger polygons are fans until `cut_polygons`
   std::vector<Polygon> polygons = {};
   std::size_t unused_faces = 0;           ///< of the file, where its points were asked for
-  std::vector<double> stiffness = {};     ///< N/mm, finite; one for each position, or none at all
+  std::vector<double> stiffness = {};     ///< N/mm; one for each position, or none at all
   std::optional<ScanGrid> grid = {};      ///< of an organised scan without normals
   std::optional<std::size_t> edges = {};  ///< the normals come from the grid; points at edges that were left out for that
   Sensor sensor = {};

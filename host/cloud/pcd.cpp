@@ -21,7 +21,7 @@ namespace isotouch::cloud {
 namespace {
 
 using Eigen::Vector3d;
-using Row = std::array<double, 6>;  ///< a place and a normal
+using Row = std::array<double, kPointColumns>;
 
 constexpr std::size_t kMaxAtPlace = std::size_t{2 * ScanGrid::kMaxRadius + 1} * (2 * ScanGrid::kMaxRadius + 1);  // pixels: a whole window
 
@@ -143,6 +143,7 @@ void read_points(Rows rows, const PcdHeader& header, Model& model) {
     if (has_grid) model.grid->cells[i] = static_cast<std::uint32_t>(model.positions.size());
     model.positions.emplace_back(row[0], row[1], row[2]);
     if (header.has_normals) model.normals.emplace_back(row[3], row[4], row[5]);
+    if (header.has_stiffness) model.stiffness.push_back(row[kStiffnessColumn]);
     if (const auto line = rows.line()) model.lines.push_back(*line);
   }
   rows.end();
@@ -175,14 +176,18 @@ void drop_constants(Model& model) {
   keep_points(model, [&](std::size_t i) { return !is_constant[i]; });
 }
 
-void read_binary(const std::string& name, std::span<const std::uint8_t> body, const PcdHeader& header, Model& model) {
-  const std::size_t bytes = point_bytes(header);
-  if (header.points > body.size() / bytes) throw cut_short(name, header);
-  const auto rest = body.subspan(header.points * bytes);
+/// What stands behind the points.
+void require_blank(const std::string& name, std::span<const std::uint8_t> rest) {
   if (std::any_of(rest.begin(), rest.end(), [](std::uint8_t c) { return c != '\n' && c != '\r' && c != ' ' && c != 0; })) {
     throw InputError(name + ": " + std::to_string(rest.size()) +
                      " bytes follow the last point that the header declares; its counts are wrong");
   }
+}
+
+void read_binary(const std::string& name, std::span<const std::uint8_t> body, const PcdHeader& header, Model& model) {
+  const std::size_t bytes = point_bytes(header);
+  if (header.points > body.size() / bytes) throw cut_short(name, header);
+  require_blank(name, body.subspan(header.points * bytes));
   read_points(BinaryRows(body, header, false), header, model);
 }
 
@@ -202,6 +207,7 @@ void read_compressed(const std::string& name, std::span<const std::uint8_t> body
   }
   const auto unpacked = unpack_lzf(body.subspan(8, packed), size);
   if (!unpacked) throw damaged("do not unpack to " + std::to_string(size) + " bytes");
+  require_blank(name, body.subspan(8 + packed));
   read_points(BinaryRows(*unpacked, header, true), header, model);
 }
 

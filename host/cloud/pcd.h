@@ -9,7 +9,7 @@
 
 namespace isotouch::cloud {
 
-/// Takes place and normal (point_columns.h) of any number type; other fields are skipped. Points without finite coordinates are no points. Of
+/// Takes place, normal and stiffness (point_columns.h) of any number type; other fields are skipped. Points without finite coordinates are no points. Of
 /// points with normals those without a finite one are left out, too; when none has one, there are no normals. A place that more than 81 pixels of an
 /// image without normals have is a constant that stands where nothing returned, and no point.
 ///

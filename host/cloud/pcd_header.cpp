@@ -48,6 +48,7 @@ void read_viewpoint(TextLines& lines, PcdHeader& header) {
     value = lines.number("a number of the viewpoint");
     if (!std::isfinite(value)) throw lines.refusal("a number of the viewpoint is not finite");
   }
+  if (const auto extra = lines.field()) throw lines.refusal(quote(*extra) + " follows the last number of the viewpoint");
   if (!is_computable({values[0], values[1], values[2]})) throw lines.refusal("the viewpoint is farther away than 1e100");
   header.viewpoint.reset();
   if (values[0] == 0.0 && values[1] == 0.0 && values[2] == 0.0) return;  // as written by programs that know of no sensor
@@ -64,8 +65,8 @@ PcdData data(TextLines& lines) {
 }
 
 void check_fields(const std::string& name, PcdHeader& header) {
-  constexpr std::array<const char*, 6> kNames = {"x", "y", "z", "normal_x", "normal_y", "normal_z"};
-  std::array<const PcdField*, 6> found{};
+  constexpr std::array<const char*, kPointColumns> kNames = {"x", "y", "z", "normal_x", "normal_y", "normal_z", "stiffness"};
+  std::array<const PcdField*, kPointColumns> found{};
   drop_second_names(header.fields, kNames);
   for (const PcdField& field : header.fields) {
     const auto column = point_column(field.name);
@@ -80,10 +81,11 @@ void check_fields(const std::string& name, PcdHeader& header) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!found[axis]) throw InputError(name + ": the PCD header names no field '" + kNames[axis] + "'; points need x, y and z");
   }
-  const auto normals = 3 - std::count(found.begin() + 3, found.end(), nullptr);
+  const auto normals = 3 - std::count(found.begin() + 3, found.begin() + kStiffnessColumn, nullptr);
   if (normals != 0 && normals != 3)
     throw InputError(name + ": the PCD header names only a part of normal_x, normal_y, normal_z; a normal needs all three");
   header.has_normals = normals == 3;
+  header.has_stiffness = found[kStiffnessColumn] != nullptr;
   for (const PcdField& field : header.fields) {
     if (point_column(field.name) && field.count != 1)
       throw InputError(name + ": field " + quote(field.name) + " has " + std::to_string(field.count) + " numbers, not one");
@@ -117,7 +119,7 @@ PcdHeader read_pcd_header(const std::string& name, std::span<const std::uint8_t>
     const std::string_view keyword = lines.field().value_or("");
     if (keyword.empty() || keyword.starts_with('#') || keyword == "VERSION") continue;
     if (keyword == "FIELDS" || keyword == "COLUMNS") {
-      header.fields.clear();
+      if (!header.fields.empty()) throw lines.refusal(std::string(keyword) + " is declared twice");
       while (const auto field = lines.field()) header.fields.push_back({.name = std::string(*field)});
     } else if (keyword == "SIZE") {
       has_sizes = true;

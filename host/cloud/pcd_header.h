@@ -23,6 +23,7 @@ struct PcdField {
 struct PcdHeader {
   std::vector<PcdField> fields;  ///< with x, y and z, each one number
   bool has_normals = false;      ///< normal_x, normal_y and normal_z
+  bool has_stiffness = false;
   std::size_t width = 0;
   std::size_t height = 1;                         ///< above 1: an image, row by row
   std::size_t points = 0;                         ///< width times height, as declared; nothing is promised about the body
@@ -35,7 +36,7 @@ struct PcdHeader {
 };
 
 /// fails     InputError naming the line: bad grammar, unknown keyword, type or data, lists of different length, no x y z, only a part of a normal,
-///           counts that contradict each other
+///           counts that contradict each other, a second list of fields
 PcdHeader read_pcd_header(const std::string& name, std::span<const std::uint8_t> bytes);
 
 }  // namespace isotouch::cloud

@@ -119,7 +119,7 @@ class BinaryRows {
   std::size_t row_ = 0;
 };
 
-/// What becomes of a property.
+/// What becomes of a property; the columns of a point stand in their order (point_columns.h).
 enum class Use { kSkip, kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kStiffness, kCorners, kCell };
 
 Use use_of(const PlyElement& element, const PlyProperty& property) {
@@ -128,7 +128,6 @@ Use use_of(const PlyElement& element, const PlyProperty& property) {
   }
   if (element.name == "range_grid") return property.count_type && property.name == "vertex_indices" ? Use::kCell : Use::kSkip;
   if (element.name != "vertex") return Use::kSkip;
-  if (property.name == "stiffness") return Use::kStiffness;
   const auto column = point_column(property.name);
   return column ? static_cast<Use>(static_cast<std::size_t>(Use::kX) + *column) : Use::kSkip;
 }
@@ -152,7 +151,7 @@ struct RowUses {
 template <class Rows>
 void read_row(Rows& rows, const PlyElement& element, const RowUses& row, std::size_t number, std::size_t vertex_count, Model& model) {
   const std::vector<Use>& uses = row.uses;
-  std::array<double, 7> vertex{};
+  std::array<double, kPointColumns> vertex{};
   std::vector<std::uint32_t> corners;
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const PlyProperty& property = element.properties[i];
@@ -180,7 +179,7 @@ void read_row(Rows& rows, const PlyElement& element, const RowUses& row, std::si
   if (element.name == "vertex") {
     model.positions.emplace_back(vertex[0], vertex[1], vertex[2]);
     if (row.has_normals) model.normals.push_back(known_or_zero({vertex[3], vertex[4], vertex[5]}));
-    if (row.has_stiffness) model.stiffness.push_back(vertex[6]);
+    if (row.has_stiffness) model.stiffness.push_back(vertex[kStiffnessColumn]);
     if (const auto line = rows.line()) model.lines.push_back(*line);
   }
   if (row.has_cells) {  // where a ray returned twice, the first counts

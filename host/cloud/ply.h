@@ -12,7 +12,7 @@
 
 namespace isotouch::cloud {
 
-/// Takes place, normal (point_columns.h) and `stiffness` of element `vertex`, and list `vertex_indices` (or `vertex_index`) of element `face`.
+/// Takes place, normal and stiffness (point_columns.h) of element `vertex`, and list `vertex_indices` (or `vertex_index`) of element `face`.
 /// Without normals it also takes the list of element `range_grid`: the vertex in each cell of a range image, an empty list where nothing returned.
 ///
 /// name      of the file, for the sentences

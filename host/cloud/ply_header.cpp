@@ -119,15 +119,14 @@ void check_vertex(const std::string& name, PlyHeader& header) {
   const auto vertex = std::find_if(header.elements.begin(), header.elements.end(), [](const PlyElement& e) { return e.name == "vertex"; });
   if (vertex == header.elements.end())
     throw InputError(name + ": the PLY header declares no element 'vertex', so there are no points in it");
-  constexpr std::array<const char*, 6> kNames = {"x", "y", "z", "nx", "ny", "nz"};
-  std::array<const PlyProperty*, 6> found{};
+  constexpr std::array<const char*, kPointColumns> kNames = {"x", "y", "z", "nx", "ny", "nz", "stiffness"};
+  std::array<const PlyProperty*, kPointColumns> found{};
   const auto require_number = [&](const PlyProperty& property) {
     if (property.count_type)
       throw InputError(name + ": property " + quote(property.name) + " of element 'vertex' is a list; it must be a single number");
   };
   drop_second_names(vertex->properties, kNames);
   for (const PlyProperty& property : vertex->properties) {
-    if (property.name == "stiffness") require_number(property);
     const auto column = point_column(property.name);
     if (!column) continue;
     require_number(property);
@@ -139,7 +138,7 @@ void check_vertex(const std::string& name, PlyHeader& header) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!found[axis]) throw InputError(name + ": element 'vertex' has no property '" + kNames[axis] + "'; points need x, y and z");
   }
-  const auto normals = 3 - std::count(found.begin() + 3, found.end(), nullptr);
+  const auto normals = 3 - std::count(found.begin() + 3, found.begin() + kStiffnessColumn, nullptr);
   if (normals != 0 && normals != 3) throw InputError(name + ": element 'vertex' has only a part of nx, ny, nz; a normal needs all three");
 }
 

@@ -9,17 +9,20 @@
 
 namespace isotouch::cloud {
 
+inline constexpr std::size_t kPointColumns = 7, kStiffnessColumn = 6;
+
 /// Without regard to case.
 ///
-/// returns   0 to 5 for x, y, z and the normal's three components; nothing for any other name
+/// returns   0 to 6 for x, y, z, the normal's three components and the stiffness; nothing for any other name
 inline std::optional<std::size_t> point_column(std::string_view name) {
-  constexpr std::array<std::array<std::string_view, 3>, 6> kNames = {{
-      {"x"},
-      {"y"},
-      {"z"},
+  constexpr std::array<std::array<std::string_view, 3>, kPointColumns> kNames = {{
+      {"x", "x_mm"},  // as `isotouch sample` writes it
+      {"y", "y_mm"},
+      {"z", "z_mm"},
       {"nx", "normal_x", "normalx"},
       {"ny", "normal_y", "normaly"},
       {"nz", "normal_z", "normalz"},
+      {"stiffness"},
   }};
   const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b; };
   for (std::size_t i = 0; i < kNames.size(); ++i) {
@@ -32,10 +35,10 @@ inline std::optional<std::size_t> point_column(std::string_view name) {
 
 /// Where a file names a number of the points twice, as "nx" and "Nx", the format's own name counts: the others get a blank, so they are no point columns.
 ///
-/// own       the format's names of the six columns
+/// own       the format's names of the columns
 template <class Fields>
-void drop_second_names(Fields& fields, const std::array<const char*, 6>& own) {
-  std::array<bool, 6> has_own{};
+void drop_second_names(Fields& fields, const std::array<const char*, kPointColumns>& own) {
+  std::array<bool, kPointColumns> has_own{};
   for (const auto& field : fields) {
     if (const auto column = point_column(field.name)) has_own[*column] |= field.name == own[*column];
   }

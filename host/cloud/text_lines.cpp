@@ -106,6 +106,25 @@ InputError decimal_commas(const TextLines& lines) {
   return lines.refusal("its numbers have decimal commas; save them with decimal points");
 }
 
+std::vector<std::string_view> cells_of(std::string_view line, char separator) {
+  std::vector<std::string_view> cells;
+  if (separator == '\0' || line.find(separator) == std::string_view::npos) {
+    for (std::size_t begin = 0, end = 0; (begin = line.find_first_not_of(kSeparators, end)) != std::string_view::npos;) {
+      end = std::min(line.find_first_of(kSeparators, begin), line.size());
+      cells.push_back(line.substr(begin, end - begin));
+    }
+    return cells;
+  }
+  constexpr std::string_view kBlanks = " \t";
+  for (std::size_t begin = 0, end = 0; end < line.size(); begin = end + 1) {
+    end = std::min(line.find(separator, begin), line.size());
+    std::string_view cell = line.substr(begin, end - begin);
+    cell.remove_prefix(std::min(cell.find_first_not_of(kBlanks), cell.size()));
+    cells.push_back(cell.substr(0, cell.find_last_not_of(kBlanks) + 1));
+  }
+  return cells;
+}
+
 std::optional<double> as_number(std::string_view field) {
   if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
   double value = 0.0;

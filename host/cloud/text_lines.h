@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "host/error.h"
 
@@ -55,6 +56,11 @@ class TextLines {
 std::size_t with_decimal_commas(std::string_view line);
 /// The refusal of such a line.
 InputError decimal_commas(const TextLines& lines);
+
+/// What stands between the separators in a line, without blanks around it; it may be empty.
+///
+/// separator   0, or one that is not in the line: the line's fields, none of which is empty
+std::vector<std::string_view> cells_of(std::string_view line, char separator);
 
 /// The number that the whole field spells; none when it spells no number.
 std::optional<double> as_number(std::string_view field);

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "host/cloud/point_columns.h"
@@ -36,50 +38,92 @@ bool is_utf16(std::span<const std::uint8_t> bytes) {
 
 /// Which columns a line of names gives to a point. It may be a remark.
 struct Names {
-  std::size_t columns = 0;
-  std::array<std::size_t, 6> of = {};  ///< the column of x, y, z, and of the normal where there is one
-  bool normals = false;
+  struct Column {
+    std::string name;
+  };
+  std::vector<Column> columns;
+  std::vector<std::size_t> of;  ///< the columns of x, y, z, then of the normal and of the stiffness where they are there
+  bool stiffness = false;
   bool remark = false;
+  char separator = '\0';  ///< of cells, as `cells_of` takes it
 };
 
-/// Nothing where the line does not name x, y and z; a remark, which may be a sentence, must name a normal, too.
-std::optional<Names> names_of(TextLines line) {
-  Names names;
-  std::array<bool, 6> found{};
-  while (const std::optional<std::string_view> field = line.field()) {
-    std::string word;
-    for (const char c : *field) {
-      if (c != '"' && (names.columns > 0 || (c != '#' && c != '/'))) word += c;
-    }
-    names.remark |= names.columns == 0 && (field->starts_with('#') || field->starts_with("//"));
-    if (word.empty() && names.columns == 0) continue;
-    if (const auto column = point_column(word); column && !found[*column]) {
-      found[*column] = true;
-      names.of[*column] = names.columns;
-    }
-    ++names.columns;
+/// Cells may be empty only where one character separates them. Several tabs together bring columns under each other.
+char separator_in(std::string_view names) {
+  for (const char c : {';', ','}) {
+    if (names.find(c) != std::string_view::npos) return c;
   }
-  names.normals = found[3] && found[4] && found[5];
-  return found[0] && found[1] && found[2] && (names.normals || !names.remark) ? std::optional(names) : std::nullopt;
+  return names.find('\t') != std::string_view::npos && names.find("\t\t") == std::string_view::npos ? '\t' : '\0';
 }
 
-/// The numbers of a point in a line of as many fields as there are names; nothing where it has another number of fields.
-std::optional<std::vector<double>> named_row(TextLines& line, const Names& names) {
-  std::vector<TextLines> fields(names.columns, line);
-  TextLines rest = line;
-  for (TextLines& field : fields) {
-    field = rest;
-    if (!rest.field()) return std::nullopt;
+/// Nothing where the line does not name x, y and z; a remark, which may be a sentence, must name a normal, too, or hold no other word.
+///
+/// fails     InputError: a column is named twice, or only a part of a normal is
+std::optional<Names> names_in(const TextLines& line, std::string_view text, Names names) {
+  for (const std::string_view cell : cells_of(text, names.separator)) {
+    std::string name(cell);
+    std::erase(name, '"');
+    names.columns.push_back({name});
   }
-  if (rest.field()) return std::nullopt;
+  while (!names.columns.empty() && names.columns.back().name.empty()) names.columns.pop_back();
+  drop_second_names(names.columns, {"x", "y", "z", "nx", "ny", "nz", "stiffness"});
+  std::array<std::optional<std::size_t>, kPointColumns> found;
+  bool is_twice = false, is_sentence = false;
+  std::size_t first = 0, second = 0;
+  for (std::size_t i = 0; i < names.columns.size(); ++i) {
+    const auto column = point_column(names.columns[i].name);
+    is_sentence |= !column;
+    if (!column) continue;
+    if (found[*column] && !is_twice) is_twice = true, first = *found[*column], second = i;
+    if (!found[*column]) found[*column] = i;
+  }
+  if (!found[0] || !found[1] || !found[2]) return std::nullopt;
+  const auto normals = 3 - std::count(found.begin() + 3, found.begin() + kStiffnessColumn, std::nullopt);
+  const bool is_part = normals != 0 && normals != 3;
+  if (names.remark && (is_twice || is_part || (is_sentence && normals == 0))) return std::nullopt;
+  if (is_twice) {
+    throw line.refusal("columns " + quote(names.columns[first].name) + " and " + quote(names.columns[second].name) +
+                       " are the same; remove one of them");
+  }
+  if (is_part) throw line.refusal("only a part of nx, ny, nz is named; a normal needs all three");
+  for (const auto& column : found) {
+    if (column) names.of.push_back(*column);
+  }
+  names.stiffness = found[kStiffnessColumn].has_value();
+  return names;
+}
+
+std::optional<Names> names_of(const TextLines& line) {
+  std::string_view text = line.rest();
+  Names names;
+  names.remark = is_remark(text);
+  if (names.remark) text.remove_prefix(std::min(text.find_first_not_of(" \t#/"), text.size()));
+  if (const char separator = separator_in(text)) {
+    Names cells = names;
+    cells.separator = separator;
+    if (std::optional<Names> found = names_in(line, text, std::move(cells))) return found;
+  }
+  return names_in(line, text, std::move(names));
+}
+
+/// The numbers of a point in a line of as many cells as there are names; nothing where it has another number of cells.
+std::optional<std::vector<double>> named_row(const TextLines& line, const Names& names) {
+  std::vector<std::string_view> cells = cells_of(line.rest(), names.separator);
+  while (cells.size() > names.columns.size() && cells.back().empty()) cells.pop_back();
+  if (cells.size() != names.columns.size()) return std::nullopt;
   std::vector<double> row;
-  for (std::size_t i = 0; i < (names.normals ? 6 : 3); ++i) row.push_back(fields[names.of[i]].number("a coordinate"));
+  for (const std::size_t column : names.of) {
+    const std::optional<double> value = as_number(cells[column]);
+    if (!value) throw line.refusal(quote(cells[column]) + " is no number; " + quote(names.columns[column].name) + " should stand there");
+    row.push_back(*value);
+  }
   return row;
 }
 
-/// The file as a table of three or six columns.
+/// The file as a table of three or six columns, and of one more where it is named.
 struct Table {
   std::vector<Eigen::Vector3d> first, second;  ///< columns 1 to 3, columns 4 to 6
+  std::vector<double> stiffness;
   std::vector<std::size_t> lines;
   std::optional<std::size_t> count;
   bool is_named = false;  ///< a line of names says what the columns hold
@@ -100,7 +144,7 @@ Table read_table(const std::string& name, std::span<const std::uint8_t> bytes) {
     if (names) {
       const auto named = named_row(lines, *names);
       if (!named && !(names->remark && table.lines.empty()))
-        throw lines.refusal("not " + std::to_string(names->columns) + " values, as many as the line of names has");
+        throw lines.refusal("not " + std::to_string(names->columns.size()) + " values, as many as the line of names has");
       if (named) row = *named;
       if (!named) names.reset();  // a remark that only looked like names
     }
@@ -111,6 +155,10 @@ Table read_table(const std::string& name, std::span<const std::uint8_t> bytes) {
     for (std::size_t i = 0; i < std::min<std::size_t>(row.size(), 3); ++i) {
       if (!std::isfinite(row[i]))
         throw lines.refusal("number " + std::to_string(i + 1) + " is not a finite number; correct or remove the line");
+    }
+    if (names && names->stiffness) {
+      table.stiffness.push_back(row.back());
+      row.pop_back();
     }
     if (columns == 0) columns = row.size();
     if ((columns != 3 && columns != 6) || row.size() != columns) {
@@ -147,7 +195,7 @@ Model read_xyz(const std::string& name, std::span<const std::uint8_t> bytes) {
                      ": the numbers in columns 4 to 6 are never negative and not of length 1, as colours are and normals are not; "
                      "remove these columns, or name all in a first line: x,y,z,nx,ny,nz");
   }
-  if (table.count && table.second.empty() && table.first.size() % 2 == 0 &&
+  if (table.count && table.second.empty() && table.stiffness.empty() && table.first.size() % 2 == 0 &&
       table.first.size() / 2 == *table.count) {  // a block of positions, a block of normals
     const auto half = static_cast<std::ptrdiff_t>(*table.count);
     table.second.assign(table.first.begin() + half, table.first.end());
@@ -158,7 +206,9 @@ Model read_xyz(const std::string& name, std::span<const std::uint8_t> bytes) {
     throw InputError(name + ": its first line states " + std::to_string(*table.count) + " points, but " +
                      std::to_string(table.first.size()) + " follow; correct it, or copy the file again");
   }
-  return {"text", std::move(table.first), std::move(table.second), std::move(table.lines), {}};
+  Model model{"text", std::move(table.first), std::move(table.second), std::move(table.lines), {}};
+  model.stiffness = std::move(table.stiffness);
+  return model;
 }
 
 }  // namespace isotouch::cloud

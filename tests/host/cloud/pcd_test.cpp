@@ -194,5 +194,31 @@ TEST(Pcd, OfTwoNamesTheFormatsOwnCounts) {
       ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("fields 'NX' and 'nx' are the same; remove one of them")));
 }
 
+TEST(Pcd, AFieldOfStiffnessIsRead) {
+  for (const bool binary : {false, true}) {
+    const std::string body = binary ? raw(1.0F) + raw(2.0F) + raw(3.0F) + raw(0.5F) : "1 2 3 0.5\n";
+    EXPECT_EQ(read(header("x y z stiffness", "4 4 4 4", "F F F F", "1 1 1 1", 1, 1, binary ? "binary" : "ascii") + body).stiffness,
+              (std::vector<double>{0.5}));
+  }
+}
+
+TEST(Pcd, WhatTheHeaderSaysTwiceOrBesidesIsRefused) {
+  const auto refusal = [](const std::string& file) -> std::string {
+    try {
+      read(file);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "nothing was refused";
+  };
+  EXPECT_EQ(refusal("FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nFIELDS a x y z\nWIDTH 1\nDATA ascii\n0 1 2 3\n"),
+            "c.pcd: line 4: FIELDS is declared twice");
+  EXPECT_EQ(refusal(xyz_header(1, 1, "ascii", "0 0 0 1 0 0 0 7") + "1 2 3\n"),
+            "c.pcd: line 9: '7' follows the last number of the viewpoint");
+  const std::string packed = xyz_header(1, 1, "binary_compressed") + stored(raw(1.0F) + raw(2.0F) + raw(3.0F));
+  EXPECT_EQ(read(packed + std::string(3, '\0')).positions.size(), 1U) << "padding";
+  EXPECT_EQ(refusal(packed + "more"), "c.pcd: 4 bytes follow the last point that the header declares; its counts are wrong");
+}
+
 }  // namespace
 }  // namespace isotouch::cloud

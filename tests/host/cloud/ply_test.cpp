@@ -192,5 +192,12 @@ TEST(Ply, TextHoldsTheDeclaredFloats) {
   EXPECT_EQ(model.positions, (std::vector<Vector3d>{{500000.03125, 0.1, 1e200}}));
 }
 
+TEST(Ply, StiffnessIsReadInAnyCase) {
+  EXPECT_EQ(read("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nproperty double "
+                 "Stiffness\nend_header\n1 2 3 0.2\n")
+                .stiffness,
+            (std::vector<double>{0.2}));
+}
+
 }  // namespace
 }  // namespace isotouch::cloud

@@ -57,5 +57,45 @@ TEST(Xyz, ALineMustHoldWhatTheNamesSay) {
 
 TEST(Xyz, PositionsAloneHaveNoNormals) { EXPECT_TRUE(read("1 2 3\n4 5 6\n").normals.empty()); }
 
+/// What it refuses with.
+std::string refusal(const std::string& text) {
+  try {
+    read(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing was refused";
+}
+
+TEST(Xyz, AnEmptyCellIsACell) {
+  for (const char* text : {",x,y,z,label\n0,1,2,3,\n1,4,5,6,\n", "id;x;y;z\n;1;2;3\n;4;5;6\n", "a\tb\tx\ty\tz\n\t\t1\t2\t3\n\t\t4\t5\t6\n",
+                           "Point ID, x, y, z,\n7, 1, 2, 3,\n8, 4, 5, 6\n", "x,y,z\n1 2 3\n4 5 6\n", "x\t\ty\t\tz\n1\t2\t3\n4\t5\t6\n"}) {
+    const Model model = read(text);
+    ASSERT_EQ(model.positions.size(), 2U) << text;
+    EXPECT_EQ(model.positions[0], Vector3d(1, 2, 3)) << text;
+    EXPECT_EQ(model.positions[1], Vector3d(4, 5, 6)) << text;
+  }
+  EXPECT_EQ(refusal("x,y,z\n1,2,3\n,1,2,3\n"), "f.xyz: line 3: not 3 values, as many as the line of names has");
+  EXPECT_EQ(refusal("x,y,z\n1,2,3\n1,,3\n"), "f.xyz: line 3: '' is no number; 'y' should stand there");
+}
+
+TEST(Xyz, NamesThatContradictEachOtherAreRefused) {
+  EXPECT_EQ(refusal("x,y,z,x,y,z\n1,2,3,4,5,6\n"), "f.xyz: line 1: columns 'x' and 'x' are the same; remove one of them");
+  EXPECT_EQ(refusal("x,y,z,nx,ny\n1,2,3,0,0\n"), "f.xyz: line 1: only a part of nx, ny, nz is named; a normal needs all three");
+  EXPECT_EQ(read("X,Y,Z,x,y,z\n1,2,3,4,5,6\n").positions[0], Vector3d(4, 5, 6)) << "the format's own names count";
+}
+
+TEST(Xyz, ARemarkOfNothingButNamesIsFollowed) {
+  EXPECT_EQ(read("# z y x\n3 2 1\n").positions[0], Vector3d(1, 2, 3));
+  EXPECT_EQ(read("# z y x go on\n3 2 1\n").positions[0], Vector3d(3, 2, 1)) << "a sentence";
+}
+
+TEST(Xyz, AColumnOfStiffnessIsRead) {
+  const Model model = read("x,y,z,Stiffness\n1,2,3,0.2\n4,5,6,1.5\n");
+  EXPECT_EQ(model.stiffness, (std::vector<double>{0.2, 1.5}));
+  EXPECT_TRUE(model.normals.empty());
+  EXPECT_EQ(read("stiffness x y z nx ny nz\n0.2 1 2 3 0 0 1\n").stiffness, (std::vector<double>{0.2}));
+}
+
 }  // namespace
 }  // namespace isotouch::cloud
