@@ -191,7 +191,7 @@ void read_row(Rows& rows, const PlyElement& element, const RowUses& row, std::si
 
 /// Where the sensor of a range image was: in the origin, or so far away that its lines of sight are parallel.
 Vector3d sensor(const PlyRangeInfo& range, const std::vector<Vector3d>& positions) {
-  if (!range.cyberware || positions.empty()) return Vector3d::Zero();
+  if (!range.cyberware.value_or(true) || positions.empty()) return Vector3d::Zero();
   Eigen::AlignedBox3d box;
   for (const Vector3d& p : positions) box.extend(p);
   constexpr double kFar = 1000.0;
@@ -225,7 +225,9 @@ void read_body(const std::string& name, Rows rows, const PlyHeader& header, Mode
   rows.end();
   if (!model.grid) return;
   model.grid->sensor = sensor(header.range, model.positions);
-  model.grid->known = header.range.cyberware ? ScanGrid::Known::kSurely : ScanGrid::Known::kAssumed;
+  model.grid->known = !header.range.cyberware   ? ScanGrid::Known::kUsual
+                      : *header.range.cyberware ? ScanGrid::Known::kSurely
+                                                : ScanGrid::Known::kAssumed;
 }
 
 }  // namespace
@@ -250,13 +252,15 @@ Model read_ply(const std::string& name, std::span<const std::uint8_t> bytes, con
   return model;
 }
 
+bool is_strips(const PlyElement& element) { return element.name == "tristrips" && element.count > 0; }
+
 bool is_bare_ply_mesh(const PlyHeader& header) {
   bool faces = false;
   bool normals = false;
   for (const PlyElement& element : header.elements) {
     for (const PlyProperty& property : element.properties) {
       const Use use = use_of(element, property);
-      faces = faces || (use == Use::kCorners && element.count > 0);
+      faces = faces || (use == Use::kCorners && element.count > 0) || is_strips(element);
       normals = normals || use == Use::kNormalX;
     }
   }

@@ -28,7 +28,10 @@ inline Model read_ply(const std::string& name, std::span<const std::uint8_t> byt
   return read_ply(name, bytes, read_ply_header(name, bytes));
 }
 
-/// Does the header declare faces, but no normals?
+/// Does the element hold strips of triangles, as Stanford's scanalyze writes them? They are not read.
+bool is_strips(const PlyElement& element);
+
+/// Does the header declare faces or strips of triangles, but no normals?
 bool is_bare_ply_mesh(const PlyHeader& header);
 
 /// Writes binary little-endian PLY with double coordinates, so that nothing is lost. The file is replaced as a whole.

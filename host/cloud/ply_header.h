@@ -43,10 +43,10 @@ struct PlyElement {
 struct PlyRangeInfo {
   std::size_t columns = 0;
   std::size_t rows = 0;
-  bool cyberware = true;     ///< Stanford's scanner, which looks along -z; otherwise a camera in the origin
-  bool warped = false;       ///< seen through a mirror, which turns the line of sight by 30 degrees about y
-  bool right_mirror = true;  ///< through which of the two
-  bool linear = true;        ///< not while the object was turned
+  std::optional<bool> cyberware;  ///< Stanford's scanner, which looks along -z, or else a camera in the origin, if the file says so
+  bool warped = false;            ///< seen through a mirror, which turns the line of sight by 30 degrees about y
+  bool right_mirror = true;       ///< through which of the two
+  bool linear = true;             ///< not while the object was turned
 };
 
 struct PlyHeader {

@@ -220,7 +220,8 @@ bool is_believed(const Cells& cells, const ScanGrid& grid, bool away) {
   const auto is_camera = [&](const Vector3d& place) { return columns(place).are_planes() && rows(place).are_planes(); };
   switch (grid.known) {
     case ScanGrid::Known::kSurely: return true;
-    case ScanGrid::Known::kStated: {
+    case ScanGrid::Known::kStated:
+    case ScanGrid::Known::kUsual: {
       if (is_camera(Vector3d::Zero()) && !is_camera(grid.sensor)) return false;
       if (away) return true;
       const OffPlanes through_sensor = columns(grid.sensor);  // the rows of a scanner that turns are cones

@@ -19,8 +19,9 @@ struct ScanGrid {
   std::vector<std::uint32_t> cells = {};             ///< row by row, whole rows: an index of a position, or kNoReturn
   Eigen::Vector3d sensor = Eigen::Vector3d::Zero();  ///< the camera's or scanner's place, in the positions' frame
 
-  /// Who says so: a person, or what the format means; the file, which may mean another frame; nobody, but a camera's own frame has it in the origin.
-  enum class Known { kSurely, kStated, kAssumed };
+  /// Who says so: a person, or the file in words of its format; the file, which may mean another frame; nobody, but it is so in most files of the format;
+  /// nobody, but a camera's own frame has it in the origin.
+  enum class Known { kSurely, kStated, kUsual, kAssumed };
   Known known = Known::kSurely;
 };
 
@@ -36,7 +37,7 @@ struct ScanGrid {
 /// returns   how many points were left out: beside a jump, with fewer than four joined cells around them, or in no cell. Nothing, and the model stays
 ///           as it was, when fewer than half of the returns would get a normal, or a fifth of the normals would face away from the sensor: then the grid
 ///           is not that of an image. Nor when the sensor cannot have stood in its place, as the cells with a normal show.
-///           Stated: the image is that of a camera in the origin, or it is mirrored as seen from the place, and its columns do not lie in planes through it,
+///           Stated or usual: the image is that of a camera in the origin, or it is mirrored as seen from the place, and its columns do not lie in planes through it,
 ///           nor, at least, much nearer to such planes than to those through the origin.
 ///           Assumed: 1 % of the normals are more than 75 degrees beside the middle of the image; or rows or columns are bent as rings round an axis
 ///           are; or the image is mirrored as seen from the place, and its rows and columns do not lie in planes through it

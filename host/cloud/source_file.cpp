@@ -14,10 +14,10 @@
 namespace isotouch::cloud {
 namespace {
 
-/// Where an image was not seen from the place that the file states, its points may be in the camera's own frame.
+/// Where an image was not seen from the place that the file states or its format suggests, its points may be in the camera's own frame.
 void take_normals_of(ScanGrid grid, Model& model) {
   model.edges = orient_by_grid(model, grid, &model.sensor.is_elsewhere);
-  if (!model.edges && grid.known == ScanGrid::Known::kStated) {
+  if (!model.edges && (grid.known == ScanGrid::Known::kStated || grid.known == ScanGrid::Known::kUsual)) {
     const bool is_refuted = model.sensor.is_elsewhere;
     grid.sensor.setZero();
     grid.known = ScanGrid::Known::kAssumed;
@@ -26,7 +26,7 @@ void take_normals_of(ScanGrid grid, Model& model) {
   }
   if (!model.edges) return;
   model.sensor.place = grid.sensor;
-  model.sensor.is_assumed = grid.known == ScanGrid::Known::kAssumed;
+  model.sensor.is_assumed = grid.known == ScanGrid::Known::kUsual || grid.known == ScanGrid::Known::kAssumed;
 }
 
 }  // namespace
@@ -115,7 +115,13 @@ Model SourceFile::read_points() const {
 
 Model SourceFile::faces() const {
   switch (kind_) {
-    case FileKind::kPly: return read_ply(name(), bytes_, *ply_);
+    case FileKind::kPly:
+      for (const PlyElement& element : ply_->elements) {
+        if (is_strips(element))
+          throw InputError(name() +
+                           ": its faces are strips of triangles (element 'tristrips'), which are not read; save the mesh with faces");
+      }
+      return read_ply(name(), bytes_, *ply_);
     case FileKind::kObj: return read_obj_faces(name(), bytes_);
     case FileKind::kStl: return read_stl(name(), bytes_);
     case FileKind::kText:

@@ -201,5 +201,79 @@ TEST(SourceFile, ABrokenHeaderAndAnEmptyFileAreRefusedAtOnce) {
   EXPECT_THROW(SourceFile(folder.path() / "none.xyz"), InputError);
 }
 
+/// A ball as a camera in the origin sees it, as a range image of PLY.
+std::string ball_grid(const std::string& info) {
+  const test::RangeImage image = test::ball_image(0.05, 0.5);
+  std::string vertices, cells;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const auto [x, y, one] = image.ray(i);
+    const double z = image.pixels[i].z;
+    cells += z == 0 ? "0\n" : "1 " + std::to_string(count) + '\n';
+    if (z == 0) continue;
+    vertices += std::to_string(x * z) + ' ' + std::to_string(y * z) + ' ' + std::to_string(z) + '\n';
+    ++count;
+  }
+  return "ply\nformat ascii 1.0\nobj_info num_cols " + std::to_string(image.width) + "\nobj_info num_rows " + std::to_string(image.height) +
+         '\n' + info + "element vertex " + std::to_string(count) +
+         "\nproperty float x\nproperty float y\nproperty float z\nelement range_grid " + std::to_string(image.pixels.size()) +
+         "\nproperty list uchar int vertex_indices\nend_header\n" + vertices + cells;
+}
+
+/// A file that does not name Stanford's scanner may come from any other camera.
+TEST(SourceFile, ARangeImageMayRefuteAScannerThatItsFileDoesNotName) {
+  const ScratchFolder folder;
+  const Model image = SourceFile(folder.write("ball.ply", ball_grid(""))).points();
+  EXPECT_EQ(image.sensor.place, Eigen::Vector3d(0, 0, 0));
+  EXPECT_TRUE(image.sensor.is_assumed);
+  EXPECT_FALSE(image.sensor.refuted_place) << "the file names none";
+  ASSERT_FALSE(image.normals.empty());
+  for (std::size_t i = 0; i < image.positions.size(); ++i) ASSERT_LT(image.normals[i].dot(image.positions[i]), 0);
+  EXPECT_GT(SourceFile(folder.write("ball.ply", ball_grid("obj_info is_cyberware_data 1\n"))).points().sensor.place->z(), 1);
+}
+
+/// A scanner's view from far away is no camera's in the origin.
+TEST(SourceFile, TheScannerThatAFileDoesNotNameIsAssumed) {
+  const ScratchFolder folder;
+  std::string vertices, cells;
+  for (int i = 0; i < 81; ++i) {
+    const int x = i % 9 - 4, y = 4 - i / 9;
+    vertices += std::to_string(x) + ' ' + std::to_string(y) + ' ' + std::to_string(-0.05 * (x * x + y * y)) + '\n';
+    cells += "1 " + std::to_string(i) + '\n';
+  }
+  const Model image =
+      SourceFile(folder.write("hill.ply",
+                              "ply\nformat ascii 1.0\nobj_info num_cols 9\nobj_info num_rows 9\nelement vertex 81\nproperty float "
+                              "x\nproperty float y\nproperty float z\nelement range_grid 81\nproperty list uchar int "
+                              "vertex_indices\nend_header\n" +
+                                  vertices + cells))
+          .points();
+  ASSERT_TRUE(image.sensor.place);
+  EXPECT_GT(image.sensor.place->z(), 100);
+  EXPECT_TRUE(image.sensor.is_assumed) << "nobody says so";
+}
+
+/// Stanford's meshes may hold their faces as strips of triangles.
+TEST(SourceFile, StripsOfTrianglesAreNoBareCloud) {
+  const ScratchFolder folder;
+  const auto mesh = [&](const std::string& normals) {
+    return SourceFile(folder.write(
+        "strips.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n" + normals +
+                          "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                          "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"));
+  };
+  const SourceFile strips = mesh("");
+  EXPECT_TRUE(strips.is_mesh());
+  EXPECT_EQ(strips.points().positions.size(), 3U) << "when somebody asks for them";
+  try {
+    (void)strips.faces();
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()), strips.name() +
+                                             ": its faces are strips of triangles (element 'tristrips'), which are not read; save the mesh "
+                                             "with faces");
+  }
+}
+
 }  // namespace
 }  // namespace isotouch::cloud
