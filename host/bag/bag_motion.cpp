@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -75,7 +76,8 @@ class Collector {
     series.values.push_back(measured->value);
   }
 
-  std::vector<motion::TimedPoint> points() const {
+  std::vector<motion::TimedPoint> points() {
+    for (Series* series : {&positions_, &forces_}) sort_by_time(*series);
     require_one(position_topics_, topics_.positions, "a position", "--topic");
     if (topics_.with_forces) require_one(force_topics_, topics_.forces, "a force", "--force-topic");
     if (topics_.with_forces) require_same_frame();
@@ -117,6 +119,24 @@ class Collector {
   static bool is_stamped(const Series& series) {
     return series.stamps_ns.size() == series.values.size() &&
            std::any_of(series.stamps_ns.begin(), series.stamps_ns.end(), [](std::int64_t stamp) { return stamp != 0; });
+  }
+
+  /// As they were recorded: the chunks of an MCAP file need not follow each other in time.
+  static void sort_by_time(Series& series) {
+    if (std::is_sorted(series.recorded_ns.begin(), series.recorded_ns.end())) return;
+    std::vector<std::size_t> order(series.values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return series.recorded_ns[a] < series.recorded_ns[b]; });
+    const auto reorder = [&](auto& list) {
+      if (list.size() != order.size()) return;  // not every message has a stamp: none counts
+      auto sorted = list;
+      for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = list[order[i]];
+      list = std::move(sorted);
+    };
+    reorder(series.stamps_ns);
+    reorder(series.values);
+    reorder(series.recorded_ns);
   }
 
   /// Seconds since the first position.

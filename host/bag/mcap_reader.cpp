@@ -61,22 +61,45 @@ class Reader {
   Reader(Span file, const std::string& name, const McapUses& uses) : file_(file), name_(name), uses_(uses) {}
 
   bool read() {
-    std::size_t at = kMcapMagic.size();
-    while (at < file_.size()) {
-      if (file_.size() - at < kRecordHead) return false;
-      const auto kind = static_cast<Record>(file_[at]);
-      const auto size = load_le<std::uint64_t>(file_.data() + at + 1);
-      if (size > file_.size() - at - kRecordHead) return false;
-      at_ = at;
-      const Span content = file_.subspan(at + kRecordHead, static_cast<std::size_t>(size));
-      if (kind == Record::kDataEnd || kind == Record::kFooter) return true;
-      take(kind, content);
-      at += kRecordHead + static_cast<std::size_t>(size);
+    bool is_data = true;  // behind the data stands what repeats a part of it
+    for (at_ = kMcapMagic.size(); file_.size() - at_ >= kRecordHead;) {
+      const auto kind = static_cast<Record>(file_[at_]);
+      const auto size = load_le<std::uint64_t>(file_.data() + at_ + 1);
+      if (size > file_.size() - at_ - kRecordHead) {
+        if (has_end(file_)) refuse("is damaged: it is longer than the file; record it again, or repair it with the tool mcap");
+        return false;
+      }
+      if (!is_data && is_of_data(kind))
+        refuse("is damaged, or that before it: it stands behind the end of the data; record it again, or repair it with the tool mcap");
+      if (is_data) take(kind, file_.subspan(at_ + kRecordHead, static_cast<std::size_t>(size)));
+      if (kind == Record::kDataEnd) is_data = false;
+      at_ += kRecordHead + static_cast<std::size_t>(size);
+      if (kind == Record::kFooter) return ends_here();
     }
     return false;
   }
 
  private:
+  static bool has_end(Span bytes) {
+    return bytes.size() >= kMcapMagic.size() && std::equal(kMcapMagic.begin(), kMcapMagic.end(), bytes.end() - kMcapMagic.size());
+  }
+
+  static bool is_of_data(Record kind) {
+    return kind == Record::kMessage || kind == Record::kChunk || kind == Record::kMessageIndex || kind == Record::kAttachment ||
+           kind == Record::kDataEnd;
+  }
+
+  /// Behind the footer.
+  bool ends_here() const {
+    const Span rest = file_.subspan(at_);
+    if (rest.size() < kMcapMagic.size()) return false;
+    if (rest.size() == kMcapMagic.size() && has_end(rest)) return true;
+    if (!has_end(rest.first(kMcapMagic.size())))
+      refuse("should be the mark of the file's end; record it again, or repair it with the tool mcap");
+    throw InputError(name_ + ": " + std::to_string(rest.size() - kMcapMagic.size()) +
+                     " bytes follow its end; name one recording, or join several with: mcap merge");
+  }
+
   [[noreturn]] void refuse(const std::string& what) const {
     throw InputError(name_ + ": the record at byte " + std::to_string(at_) + " " + what);
   }
@@ -177,7 +200,7 @@ class Reader {
   Span file_;
   const std::string& name_;
   const McapUses& uses_;
-  std::size_t at_ = 0;  ///< byte of the record of the file under way
+  std::size_t at_ = 0;  ///< byte of the record of the file under way, at its end of the next
   std::map<std::uint16_t, std::string> schemas_;
   std::map<std::uint16_t, Known> channels_;
 };

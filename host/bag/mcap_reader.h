@@ -34,7 +34,7 @@ bool is_mcap(std::span<const std::uint8_t> file);
 ///
 /// name      of the file, for sentences
 /// returns   is the file whole?
-/// fails     InputError naming the file and the byte: a record is damaged, or compressed other than by zstd
+/// fails     InputError naming the file and the byte: a record is damaged, or compressed other than by zstd; something follows the end
 bool read_mcap(std::span<const std::uint8_t> file, const std::string& name, const McapUses& uses);
 
 }  // namespace isotouch::bag

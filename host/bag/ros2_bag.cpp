@@ -51,11 +51,15 @@ void read_ros2_bag(const std::filesystem::path& file,
   prepared = nullptr;
   constexpr const char* kQuery =
       "SELECT topics.name, topics.type, topics.serialization_format, messages.timestamp, messages.data "
-      "FROM messages JOIN topics ON messages.topic_id = topics.id ORDER BY messages.timestamp, messages.id";
+      "FROM messages LEFT JOIN topics ON messages.topic_id = topics.id ORDER BY messages.timestamp, messages.id";
   if (sqlite3_prepare_v2(opened, kQuery, -1, &prepared, nullptr) != SQLITE_OK) refuse();
   const std::unique_ptr<sqlite3_stmt, Close> row(prepared);
   int step = sqlite3_step(prepared);
   for (; step == SQLITE_ROW; step = sqlite3_step(prepared)) {
+    if (sqlite3_column_type(prepared, 0) == SQLITE_NULL) {
+      throw InputError(file.string() + ": it is damaged: the message of " + std::to_string(sqlite3_column_int64(prepared, 3)) +
+                       " ns belongs to no topic that it has; record it again");
+    }
     const std::string_view data = text_in(prepared, 4);
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): text as bytes
     use({text_in(prepared, 0), text_in(prepared, 1), text_in(prepared, 2)}, static_cast<std::uint64_t>(sqlite3_column_int64(prepared, 3)),

@@ -290,6 +290,65 @@ TEST(Bag, WithoutItsEndItIsReadAsFarAsItIsWhole) {
   EXPECT_EQ(read_bag_motion(written("cut.mcap", cut), {}).size(), 3U);
 }
 
+/// Where the record of this kind begins that stands at this place among those of the file.
+std::size_t record_at(const Bytes& file, std::uint8_t kind, int which) {
+  for (std::size_t at = 8;; at += 9 + load_le<std::uint64_t>(&file[at + 1])) {
+    if (file[at] == kind && which-- == 0) return at;
+  }
+}
+
+/// A file of 1000 messages in several chunks.
+Bytes in_chunks() {
+  McapWriter writer("test");
+  const auto channel = writer.channel(writer.schema("geometry_msgs/Point", "jsonschema", "{}"), "/a", "json");
+  for (std::uint64_t i = 0; i < 60'000; ++i) {
+    const std::string text = R"({"x":)" + std::to_string(i) + R"(,"y":0,"z":0})";
+    writer.message(channel, i * 1000, Bytes(text.begin(), text.end()));
+  }
+  return writer.finish();
+}
+
+constexpr std::uint8_t kChunkRecord = 6, kDataEndRecord = 15;
+
+TEST(Bag, WhatIsWholeAtItsEndIsNotReadInPart) {
+  const Bytes good = in_chunks();
+  Bytes two = good;
+  two.insert(two.end(), good.begin(), good.end());
+  EXPECT_THAT(refusal_of(written("two.mcap", two)), HasSubstr(std::to_string(good.size()) + " bytes follow its end; name one recording"));
+  const std::size_t second = record_at(good, kChunkRecord, 1);
+  Bytes ended = good;
+  ended[second] = kDataEndRecord;
+  EXPECT_THAT(refusal_of(written("ended.mcap", ended)), HasSubstr("it stands behind the end of the data"));
+  Bytes longer = good;
+  longer[second + 7] = 1;
+  EXPECT_THAT(refusal_of(written("longer.mcap", longer)),
+              HasSubstr("the record at byte " + std::to_string(second) + " is damaged: it is longer than the file"));
+  Bytes unmarked = good;
+  unmarked[good.size() - 4] = 0;
+  EXPECT_THAT(refusal_of(written("unmarked.mcap", unmarked)), HasSubstr("should be the mark of the file's end"));
+  longer.resize(longer.size() - 8);
+  EXPECT_LT(read_bag_motion(written("cut.mcap", longer), {}).size(), 60'000U) << "a recorder that was killed";
+}
+
+/// The format does not order them, and chunks may overlap in time.
+TEST(Bag, MessagesMayStandInAnyOrder) {
+  for (const bool stamped : {false, true}) {
+    McapWriter writer("test");
+    const auto channel = writer.channel(writer.schema("geometry_msgs/PointStamped", "jsonschema", "{}"), "/a", "json");
+    for (const std::uint64_t i : {3U, 1U, 0U, 2U}) {
+      const std::string stamp = stamped ? R"("header":{"stamp":{"sec":)" + std::to_string(7 + i) + R"(,"nanosec":0}},)" : "";
+      const std::string text = "{" + stamp + R"("point":{"x":)" + std::to_string(i) + R"(,"y":0,"z":0}})";
+      writer.message(channel, i * 10'000'000, Bytes(text.begin(), text.end()));
+    }
+    const auto points = read_bag_motion(written("swapped.mcap", writer.finish()), {});
+    ASSERT_EQ(points.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(points[i].position.x(), 1000.0 * static_cast<double>(i));
+      EXPECT_NEAR(points[i].time, (stamped ? 1.0 : 0.01) * static_cast<double>(i), 1e-12);
+    }
+  }
+}
+
 /// A recording of rosbag2: its tables, and messages of PointStamped in CDR.
 class Db3 {
  public:
@@ -379,6 +438,17 @@ TEST(Db3, ShortMessagesAndOtherDatabasesAreRefused) {
     made.run("DROP TABLE messages");
   }
   EXPECT_THAT(refusal_of(other), HasSubstr("it cannot be read as a recording of ROS 2"));
+}
+
+TEST(Db3, AMessageWithoutItsTopicIsNotLeftOut) {
+  const fs::path file = in_temp("topic.db3");
+  {
+    Db3 made(file);
+    for (std::uint32_t i = 0; i < 9; ++i) made.add(i, point_in_cdr(i + 1, i, true));
+    made.run("UPDATE messages SET topic_id = 9 WHERE timestamp = 5");
+  }
+  EXPECT_THAT(refusal_of(file),
+              HasSubstr("topic.db3: it is damaged: the message of 5 ns belongs to no topic that it has; record it again"));
 }
 
 TEST(Db3, AViewIsNoTable) {
