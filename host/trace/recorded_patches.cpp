@@ -80,6 +80,8 @@ void finish_with_patches(const std::filesystem::path& trace, const std::optional
   if (std::filesystem::exists(file, failed) && !std::filesystem::is_regular_file(file, failed))  // else only the last step would fail
     throw InputError(file + ": the patches of the trace cannot be written: it is a folder, a device or a pipe; name the trace otherwise");
   write_file(part, patches->data(), patches->size());
+  if (std::filesystem::exists(file, failed))
+    std::filesystem::permissions(part, std::filesystem::status(file, failed).permissions(), failed);
   try {
     finish();
     if (std::rename(part.c_str(), file.c_str()) == 0 && files::sync_folder_of(file)) return;

@@ -58,9 +58,15 @@ OutputPlace output_place(const std::string& name) {
 
 OpenPart open_part(const std::string& part, Leftover leftover) {
   const auto refused = [&](const std::string& what) { return OpenPart{-1, part + ": " + what}; };
+  constexpr mode_t kPermissions = 0777;
+  const std::string output = part.substr(0, part.rfind('.'));
+  struct stat before {};
+  const bool is_there = ::stat(output.c_str(), &before) == 0 && S_ISREG(before.st_mode);
+  if (is_there && ::faccessat(AT_FDCWD, output.c_str(), W_OK, AT_EACCESS) != 0) return {-1, std::strerror(errno)};
+  const mode_t mode = is_there ? before.st_mode & kPermissions : 0666;
   constexpr int kTries = 100;  // a file system may give one file several numbers
   for (int tries = 1;; ++tries) {
-    const int file = ::open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+    const int file = ::open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, mode);
     if (file < 0 && errno == ELOOP) return refused("is a symbolic link, which may lead anywhere; remove it");
     if (file < 0) return {-1, std::strerror(errno)};
     const bool locked = ::flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;  // a file system without locks has none to respect
@@ -71,7 +77,8 @@ OpenPart open_part(const std::string& part, Leftover leftover) {
     struct stat there {};
     const bool regular = ::fstat(file, &there) == 0 && S_ISREG(there.st_mode);
     const bool is_kept = locked && regular && there.st_size > 0 && (leftover == Leftover::kRefuse || is_recording(file, there.st_size));
-    if (locked && regular && (there.st_size == 0 || (!is_kept && ::ftruncate(file, 0) == 0))) return {file, {}};
+    const auto is_like_output = [&] { return !is_there || (there.st_mode & kPermissions) == mode || ::fchmod(file, mode) == 0; };
+    if (locked && regular && !is_kept && (there.st_size == 0 || ::ftruncate(file, 0) == 0) && is_like_output()) return {file, {}};
     const int why = errno;
     ::close(file);
     if (!regular) return refused("is no file; remove it");

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <string>
 
@@ -112,6 +114,47 @@ TEST(Files, TwoWritersDoNotMeet) {
     EXPECT_FALSE(std::filesystem::exists(file));
   }
   write_file(file, "mine");
+  EXPECT_EQ(std::filesystem::file_size(file), 4U);
+  EXPECT_FALSE(std::filesystem::exists(file.string() + ".part"));
+}
+
+TEST(Files, AFileThatIsReplacedKeepsItsPermissions) {
+  const ScratchFolder folder;
+  const auto mode = [](const std::filesystem::path& file) {
+    struct stat found {};
+    EXPECT_EQ(::stat(file.c_str(), &found), 0);
+    return found.st_mode & 07777;
+  };
+  const auto file = folder.write("file", "private"), left = folder.write("file.part", "left of a killed program");
+  const mode_t before = ::umask(022);
+  for (const mode_t wanted : {0600U, 0640U, 0666U}) {
+    ASSERT_EQ(::chmod(file.c_str(), wanted), 0);
+    write_file(file, "new");
+    EXPECT_EQ(mode(file), wanted);
+  }
+  write_file(folder.path() / "other", "new");
+  EXPECT_EQ(mode(folder.path() / "other"), 0644U);
+  ::umask(before);
+}
+
+TEST(Files, AFileThatMayNotBeWrittenIsNotReplaced) {
+  const ScratchFolder folder;
+  const auto file = folder.write("file", "kept");
+  ASSERT_EQ(::chmod(file.c_str(), 0444), 0);
+  ASSERT_EQ(::chmod(folder.path().c_str(), 0777), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {  // who is root may write everything
+    if (::geteuid() == 0 && ::seteuid(65534) != 0) ::_exit(2);
+    try {
+      write_file(file, "new");
+    } catch (const InputError& error) {
+      ::_exit(error.what() == file.string() + ": cannot be written: Permission denied" ? 0 : 3);
+    }
+    ::_exit(1);
+  }
+  int status = -1;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
   EXPECT_EQ(std::filesystem::file_size(file), 4U);
   EXPECT_FALSE(std::filesystem::exists(file.string() + ".part"));
 }

@@ -185,6 +185,10 @@ TEST(RecordedPatches, GetTheirNameOnlyWithTheirTrace) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
   finish_with_patches(trace, patches, [&] { EXPECT_FALSE(std::filesystem::exists(patches_of(trace))); });
   EXPECT_EQ(read_file(patches_of(trace)), patches);
+  std::filesystem::permissions(patches_of(trace), std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  finish_with_patches(trace, patches, [] {});
+  EXPECT_EQ(std::filesystem::status(patches_of(trace)).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
   finish_with_patches(folder.path() / "b.trace", std::nullopt, [] {});
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "b.patches"));
 }
