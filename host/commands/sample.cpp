@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <Eigen/Core>
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -15,7 +14,7 @@
 #include "host/board_commands/output.h"
 #include "host/cloud/file_kind.h"
 #include "host/cloud/ply.h"
-#include "host/cloud/text_lines.h"
+#include "host/cloud/xyz.h"
 #include "host/commands/commands.h"
 #include "host/error.h"
 #include "host/evaluate/compare_mesh.h"
@@ -29,29 +28,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Lines of three numbers or more, of which the first three count; a line of names may come first.
-std::vector<Vector3d> places_of_text(const std::string& name, const std::vector<std::uint8_t>& bytes) {
-  cloud::TextLines lines(name, bytes);
-  std::vector<Vector3d> places;
-  for (bool first = true; lines.next(); first = false) {
-    cloud::TextLines look = lines;
-    const auto field = look.field();
-    if (!field || field->front() == '#' || (first && !cloud::as_number(*field))) continue;
-    Vector3d place;
-    for (double& coordinate : place) {
-      coordinate = lines.number("a coordinate");
-      if (!std::isfinite(coordinate)) throw lines.refusal("a coordinate is not a finite number");
-    }
-    places.push_back(place);
-  }
-  return places;
-}
-
 std::vector<Vector3d> read_places(const std::filesystem::path& file) {
   std::vector<std::uint8_t> bytes = read_file(file);
   if (cloud::file_kind(file, bytes) == cloud::FileKind::kPly)
     return cloud::read_ply(file.string(), bytes).positions;  // a row for each point
-  return places_of_text(file.string(), bytes);
+  return cloud::read_xyz(file.string(), bytes).positions;
 }
 
 /// As short as it can be for the number to be read back as it is.
@@ -96,7 +77,10 @@ void add_sample(CLI::App& app) {
   auto run = std::make_shared<SampleRun>();
   CLI::App* command = app.add_subcommand("sample", "Print a field's distance, gradient and stiffness at given points");
   command->add_option("FIELD", run->field, "the field (.itf)")->required();
-  command->add_option("POINTS", run->points, "the points: PLY, or text with x,y,z in each line; - is standard input")->required();
+  command
+      ->add_option("POINTS", run->points,
+                   "the points: PLY, or text with x,y,z in each line, or with a first line of names; - is standard input")
+      ->required();
   add_output(*command, "-o,--out", run->out, {&forms::kTable}, "the table to write, by default to standard output");
   command->add_flag("--input-frame", run->input_frame, "the points are in the scan's coordinates; the answer is always in workspace mm");
   command->callback([run] { (*run)(); });
