@@ -191,6 +191,8 @@ std::size_t find_column(const Table& table, const std::vector<std::string_view>&
 
 double number(const Table& table, std::string_view field, std::string_view column) {
   const std::optional<double> value = cloud::as_number(field);
+  if (cloud::with_decimal_commas(field) == 1)
+    table.refuse(in_quotes(field) + " in column " + in_quotes(column) + " has a decimal comma; save the table with decimal points");
   if (!value || !std::isfinite(*value)) {
     table.refuse(in_quotes(field) + " in column " + in_quotes(column) + " is not a finite number; correct or remove the row");
   }

@@ -179,6 +179,8 @@ TEST(MotionCsv, EveryMalformedTableGetsItsSentence) {
       {head + "0,1,2,3\n1,inf,2,3\n", "line 3: 'inf' in column 'x_mm'"},
       {head + "0,1,2,3\n1,,2,3\n", "line 3: '' in column 'x_mm'"},
       {head + "0,1,2,3\n1,1.5abc,2,3\n", "line 3: '1.5abc' in column 'x_mm'"},
+      {"t_s;x_mm;y_mm;z_mm\n0,0000;1,5;2;3\n1;1;2;3\n",
+       "line 2: '0,0000' in column 't_s' has a decimal comma; save the table with decimal points"},
       {head + "0,1,2,3\n1,1e999,2,3\n", "line 3: '1e999' in column 'x_mm'"},
       {head + "0,1,2,3\n1,2,3\n", "line 3: has 3 fields where the header names 4"},
       {head + "0,1,2,3\n1,1,2,3\n1,1,2,3\n", "line 4: the time 1 does not come after"},
