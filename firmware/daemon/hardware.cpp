@@ -18,6 +18,7 @@ namespace {
 Refusal make_replay(const Options& options, Hardware& made) {
   files::TraceFile trace;
   if (Refusal refusal = files::read_trace(options.name, trace)) return refusal;
+  if (!trace.damage().empty()) return trace.damage();
   if (!trace.cut_off().empty()) std::fprintf(stderr, "isotouchd: %s\n", trace.cut_off().c_str());
   if (trace.kind() != InputKind::kPacket) {
     return options.name + ": it holds positions of a hand, not the packets of a device; make some with 'isotouch trace to-packets'";

@@ -140,7 +140,7 @@ void print_records(const trace::Trace& trace, const std::vector<const trace::Col
 
 void run(const TraceShowOptions& options) {
   const std::vector<const trace::Column*> columns = chosen(options);
-  const trace::Trace trace = trace::read_trace(options.trace);
+  const trace::Trace trace = trace::read_trace(options.trace, trace::Damaged::kReport);
   if (options.header_only) {
     print_json(Json{{"header", header_json(trace)}});
   } else {

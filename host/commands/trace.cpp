@@ -114,8 +114,8 @@ struct DiffOptions {
 };
 
 void compare_traces(const DiffOptions& options) {
-  const trace::Trace a = trace::read_trace(options.a);
-  const trace::Trace b = trace::read_trace(options.b);
+  const trace::Trace a = trace::read_trace(options.a, trace::Damaged::kReport);
+  const trace::Trace b = trace::read_trace(options.b, trace::Damaged::kReport);
   const std::optional<trace::Difference> difference = trace::first_difference(a, b);
   if (options.json) {
     nlohmann::ordered_json json{{"ticks", a.size()}, {"first_difference", nullptr}};

@@ -336,7 +336,7 @@ typedef struct isotouch_trace_facts {
   uint32_t is_cut_off;  /**< 1: the file ends before it should; the whole ticks of it are here */
 } isotouch_trace_facts;
 
-/** Loads and checks a whole trace file. */
+/** Loads and checks a whole trace file. A recording that was changed after it was recorded is refused. */
 ISOTOUCH_API isotouch_status isotouch_trace_load(const char* path, isotouch_trace* trace);
 
 /** @param size  sizeof(isotouch_trace_facts) */

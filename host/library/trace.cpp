@@ -59,6 +59,7 @@ isotouch_status isotouch_trace_load(const char* path, isotouch_trace* trace) {
     required(trace, "trace");
     files::TraceFile file;
     if (const Refusal refusal = files::read_trace(name, file)) throw InputError(refusal.sentence());
+    if (!file.damage().empty()) throw InputError(file.damage());
     *trace = add(std::make_unique<TraceThing>(std::move(file)));
   });
 }

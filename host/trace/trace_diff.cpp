@@ -23,12 +23,21 @@ void require_a_recording(const Trace& trace) {
   const std::string name = trace.path() + ": ";
   if (!trace.header().has_outputs) throw InputError(name + describe(Error::kNoOutputs) + "; replay it with -o first");
   if (trace.size() == 0) throw InputError(name + "holds no records, there is nothing to compare");
+}
+
+bool is_sound(const Trace& trace) {
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
-    if (!trace.chain_follows(tick)) {
-      throw InputError(name + "the chain breaks at record " + std::to_string(tick) +
-                       ": its bytes were changed after they were recorded; use the original file");
-    }
+    if (!trace.chain_follows(tick)) return false;
   }
+  return true;
+}
+
+/// Where two records differ, arrival times apart.
+std::optional<std::string> difference_at(const Trace& a, const Trace& b, std::size_t tick) {
+  const TraceRecord left = a.record(tick), right = b.record(tick);
+  if (const FieldName input = differing_input(left.input, right.input)) return std::string(input.view());
+  if (const FieldName output = differing_output(left.output, right.output)) return std::string(output.view());
+  return left.chain != right.chain ? std::optional<std::string>("chain") : std::nullopt;
 }
 
 std::optional<Difference> first_difference(const Trace& a, const Trace& b) {
@@ -37,21 +46,18 @@ std::optional<Difference> first_difference(const Trace& a, const Trace& b) {
   if (const char* field = differing_header(a.header(), b.header())) return Difference{0, field};
 
   const std::size_t common = std::min(a.size(), b.size());
-  std::size_t equal_before = 0;       // every tick below is equal
-  std::size_t differs_from = common;  // this tick, if it exists, differs
+  const bool are_sound = is_sound(a) && is_sound(b);  // else equal chains mean nothing
+  std::size_t equal_before = 0;                       // every tick below is equal
+  std::size_t differs_from = common;                  // this tick, if it exists, differs
   while (equal_before < differs_from) {
-    const std::size_t middle = equal_before + (differs_from - equal_before) / 2;
-    if (a.chain(middle) == b.chain(middle)) {
+    const std::size_t middle = are_sound ? equal_before + (differs_from - equal_before) / 2 : equal_before;
+    if (are_sound ? a.chain(middle) == b.chain(middle) : !difference_at(a, b, middle)) {
       equal_before = middle + 1;
     } else {
       differs_from = middle;
     }
   }
-  if (differs_from < common) {
-    const TraceRecord left = a.record(differs_from), right = b.record(differs_from);
-    const FieldName input = differing_input(left.input, right.input);
-    return Difference{differs_from, std::string((input ? input : differing_output(left.output, right.output)).view())};
-  }
+  if (differs_from < common) return Difference{differs_from, difference_at(a, b, differs_from).value_or("")};
   if (a.size() != b.size()) return Difference{common, "length"};
   return std::nullopt;
 }

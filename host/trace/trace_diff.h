@@ -15,14 +15,15 @@ struct Difference {
       field;  ///< a field of SPEC.md's record, as `differing_input` and `differing_output` name it, or one that the function which found it states
 };
 
-/// fails     InputError naming the file: it has no outputs or no records, or its bytes were changed after recording, so its chain does not follow from them
+/// fails     InputError naming the file: it has no outputs or no records
 void require_a_recording(const Trace& trace);
 
 /// Compares two traces with recorded outputs. Both are first checked against their own chains; then equal chains mean equal histories, so
-/// the first tick that differs is found by bisection, in log2(ticks) look-ups.
+/// the first tick that differs is found by bisection, in log2(ticks) look-ups. Where bytes were changed after recording, all records are compared.
 ///
 /// returns   nothing when they are equal to the bit, arrival times apart; field is also one of
-///           field, model, period, settings (the headers differ: tick 0), length (one ends earlier, equal until there)
+///           field, model, period, settings (the headers differ: tick 0), length (one ends earlier, equal until there), chain (nothing else differs
+///           there, so one was changed)
 /// fails     as require_a_recording
 std::optional<Difference> first_difference(const Trace& a, const Trace& b);
 

@@ -44,11 +44,14 @@ int nameless_file() {
 
 }  // namespace
 
-Trace read_trace(const std::filesystem::path& file) {
+Trace read_trace(const std::filesystem::path& file, Damaged damaged) {
   Trace trace;
   if (is_standard(file)) claim_standard_input();
   if (const Refusal refusal = files::read_trace(is_standard(file) ? "/dev/stdin" : file.string(), trace)) throw refused(file, refusal);
-  if (!trace.cut_off().empty()) std::fprintf(stderr, "isotouch: %s\n", trace.cut_off().c_str());
+  if (!trace.damage().empty() && damaged == Damaged::kRefuse) throw InputError(trace.damage());
+  for (const std::string& sentence : {trace.cut_off(), trace.damage()}) {
+    if (!sentence.empty()) std::fprintf(stderr, "isotouch: %s\n", sentence.c_str());
+  }
   return trace;
 }
 

@@ -12,11 +12,17 @@ namespace isotouch::trace {
 
 using Trace = files::TraceFile;
 
+/// What to do with a recording whose bytes were changed after they were recorded.
+enum class Damaged {
+  kRefuse,
+  kReport,  ///< a sentence on standard error: for who looks for the damage
+};
+
 /// Of a file that was cut off, what is whole; a sentence on standard error says so.
 ///
 /// file      `-` is standard input
 /// fails     InputError naming the file, and the record and its byte where there is one
-Trace read_trace(const std::filesystem::path& file);
+Trace read_trace(const std::filesystem::path& file, Damaged damaged = Damaged::kRefuse);
 
 /// The same of a trace whose inputs are of this kind.
 ///

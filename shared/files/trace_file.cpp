@@ -76,6 +76,7 @@ Refusal read_trace(const std::string& path, TraceFile& trace) {
   trace.header_ = *header;
   trace.bytes_.assign(bytes.begin() + kHeaderBytes, bytes.end());
   trace.cut_off_.clear();
+  trace.damage_.clear();
   if (is_cut) trace.drop_what_is_torn(header->record_count);
   if (is_cut && trace.size() == 0) return path + ": was cut off before its first tick; record it again";
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
@@ -86,6 +87,10 @@ Refusal read_trace(const std::string& path, TraceFile& trace) {
     if (record->input.kind != trace.kind()) return place + " holds another kind of input than the first; make or record the trace again";
     if (!header->has_outputs && (record->output != Output{} || record->chain != 0)) {
       return place + " holds an output, but the header says that there are none; make or record the trace again";
+    }
+    if (header->has_outputs && trace.damage_.empty() && !trace.chain_follows(tick)) {
+      trace.damage_ = path + ": the chain breaks at record " + std::to_string(tick) +
+                      ": its bytes were changed after they were recorded; use the original file";
     }
   }
   return {};

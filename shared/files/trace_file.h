@@ -30,6 +30,8 @@ class TraceFile {
   void set_patches(std::string path) { patches_ = std::move(path); }
   /// One sentence where the file ends before it should: how much of it there is, and what is missing. Else empty.
   const std::string& cut_off() const { return cut_off_; }
+  /// One sentence where a record's chain does not follow, as its bytes were changed after they were recorded. Else empty.
+  const std::string& damage() const { return damage_; }
   std::size_t size() const { return bytes_.size() / trace_layout::kRecordBytes; }
   /// Of all inputs; an empty trace counts as one of positions.
   InputKind kind() const { return size() == 0 ? InputKind::kPosition : record(0).input.kind; }
@@ -47,13 +49,14 @@ class TraceFile {
   friend Refusal read_trace(const std::string& path, TraceFile& trace);
   std::span<const std::uint8_t, trace_layout::kRecordBytes> at(std::size_t tick) const;
 
-  std::string path_, patches_, cut_off_;
+  std::string path_, patches_, cut_off_, damage_;
   TraceHeader header_;
   std::vector<std::uint8_t> bytes_;  ///< the records, without the header
 };
 
 /// Reads and checks a whole file: header, size, every record; without outputs, that nothing stands where they would be. Of a file that was cut off, by a
-/// kill or a full disk, the records up to the first that is not whole or does not follow from those before it; `cut_off` says so.
+/// kill or a full disk, the records up to the first that is not whole or does not follow from those before it; `cut_off` says so. Of a whole file all records;
+/// whether they follow from each other, `damage` says.
 ///
 /// returns   file and place, what is wrong and what to do
 Refusal read_trace(const std::string& path, TraceFile& trace);

@@ -10,6 +10,7 @@
 #include "host/files/whole_file.h"
 #include "host/trace/trace_file.h"
 #include "tests/host/commands/run_command.h"
+#include "tests/support/chained.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch::commands {
@@ -19,10 +20,11 @@ namespace {
 void write_changed(const std::filesystem::path& file, SettingChange change) {
   const trace::Trace golden = trace::read_trace(ISOTOUCH_GOLDEN "/packets.trace");
   trace::TraceWriter writer(file, golden.header());
+  Chain chain(golden.header());
   for (std::size_t tick = 0; tick < golden.size(); ++tick) {
     TraceRecord record = golden.record(tick);
     if (tick == golden.size() / 2) record.input.change = change;
-    writer.append(record);
+    writer.append(test::chained(chain, record));
   }
   writer.finish();
 }
@@ -51,7 +53,8 @@ TEST(Plot, WhatBeginsInTheMiddleOfARunHasNoLimitAndNoExactAnswer) {
     TraceHeader header = golden.header();
     header.settings.force_limit = limit;
     trace::TraceWriter writer(file, header);
-    for (std::size_t tick = golden.size() / 2; tick < golden.size(); ++tick) writer.append(golden.record(tick));
+    Chain chain(header);
+    for (std::size_t tick = golden.size() / 2; tick < golden.size(); ++tick) writer.append(test::chained(chain, golden.record(tick)));
     writer.finish();
     run_command(plot);
     return read_file(picture);

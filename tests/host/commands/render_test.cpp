@@ -15,6 +15,7 @@
 #include "host/trace/trace_file.h"
 #include "host/view/touch_view.h"
 #include "tests/host/commands/run_command.h"
+#include "tests/support/chained.h"
 #include "tests/support/no_more_threads.h"
 #include "tests/support/scratch_folder.h"
 
@@ -144,7 +145,8 @@ TEST_F(Render, DrawsThePatchedFieldThatTheTickFelt) {
   TraceHeader header = trace.header();
   header.field_hash = felt.now()->hash();
   trace::TraceWriter writer(file("fault-1.trace"), header);
-  for (std::size_t tick = kPatched; tick <= kTick; ++tick) writer.append(trace.record(tick));
+  Chain chain(header);
+  for (std::size_t tick = kPatched; tick <= kTick; ++tick) writer.append(test::chained(chain, trace.record(tick)));
   writer.finish();
   const std::string at = " --tick " + std::to_string(kTick - kPatched);
   EXPECT_EQ(complaint_on("render surface " + file("field_1_3.itf") + " --size 320x320 -o " + file("x.png") + " --trace " +

@@ -12,6 +12,7 @@
 #include "host/commands/commands.h"
 #include "host/trace/trace_file.h"
 #include "shared/files/nearest_name.h"
+#include "tests/support/chained.h"
 #include "tests/support/no_more_threads.h"
 #include "tests/support/scratch_folder.h"
 
@@ -145,7 +146,8 @@ TEST(Run, ATraceFromTheMiddleOfARunEndsABisection) {
   const std::filesystem::path golden = ISOTOUCH_GOLDEN, file = folder.path() / "middle.trace";
   const trace::Trace whole = trace::read_trace(golden / "packets.trace");
   trace::TraceWriter writer(file, whole.header());
-  for (std::size_t tick = 400; tick < whole.size(); ++tick) writer.append(whole.record(tick));
+  Chain chain(whole.header());
+  for (std::size_t tick = 400; tick < whole.size(); ++tick) writer.append(test::chained(chain, whole.record(tick)));
   writer.finish();
   const auto bisected = [&](const std::filesystem::path& trace) {
     return answer({"farm", "bisect", (golden / "field_1_1.itf").string(), trace.string(), "false"});

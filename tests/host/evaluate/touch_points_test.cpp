@@ -11,6 +11,7 @@
 #include "host/cloud/random.h"
 #include "host/error.h"
 #include "host/to_double.h"
+#include "tests/support/chained.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch::evaluate {
@@ -43,10 +44,11 @@ class TouchPoints : public testing::Test {
   trace::Trace trace(std::size_t ticks, const std::function<void(std::size_t, TraceRecord&)>& change = {}) {
     cloud::Random random(2);
     trace::TraceWriter writer(folder_.path() / "a.trace", header_);
+    Chain chain(header_);
     for (std::size_t tick = 0; tick < ticks; ++tick) {
       TraceRecord record = touch(random);
       if (change) change(tick, record);
-      writer.append(record);
+      writer.append(header_.has_outputs ? test::chained(chain, record) : record);
     }
     writer.finish();
     return trace::read_trace(folder_.path() / "a.trace");

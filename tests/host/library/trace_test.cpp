@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -109,6 +110,11 @@ TEST(LibraryTrace, WrongNamesAndRangesAreErrors) {
   isotouch_trace other = 0;
   EXPECT_REFUSED(isotouch_trace_load(test::golden("field_1_1.itf").c_str(), &other), ISOTOUCH_BAD_DATA, "not usable as a trace");
   EXPECT_REFUSED(isotouch_trace_load("/nowhere.trace", &other), ISOTOUCH_BAD_DATA, "/nowhere.trace");
+  const ScratchFolder folder;
+  const auto changed = folder.path() / "changed.trace";
+  std::filesystem::copy_file(test::golden("positions.trace"), changed);
+  std::fstream(changed, std::ios::binary | std::ios::in | std::ios::out).seekp(256 + 104 * 3 + 88).put(1);
+  EXPECT_REFUSED(isotouch_trace_load(changed.c_str(), &other), ISOTOUCH_BAD_DATA, "the chain breaks at record 3");
   isotouch_trace_facts facts{};
   EXPECT_REFUSED(isotouch_trace_describe(trace.handle, &facts, 3), ISOTOUCH_BAD_ARGUMENT, "isotouch_trace_facts");
 }

@@ -10,6 +10,7 @@
 #include "host/stream/sources.h"
 #include "host/to_double.h"
 #include "host/trace/trace_file.h"
+#include "tests/support/chained.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch::stream {
@@ -36,10 +37,11 @@ class RecordedTouches : public testing::Test {
     const auto file = folder_.path() / "felt.trace";
     header_.has_outputs = true;
     trace::TraceWriter writer(file, header_);
+    Chain chain(header_);
     for (std::uint64_t tick = 0; tick < kTicks; ++tick) {
       TraceRecord record = touch(tick);
       if (change) change(tick, record);
-      writer.append(record);
+      writer.append(test::chained(chain, record));
     }
     writer.finish();
     return file;

@@ -8,6 +8,7 @@
 
 #include "host/error.h"
 #include "shared/falcon_packet.h"
+#include "tests/support/chained.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch::trace {
@@ -24,6 +25,7 @@ std::vector<FaultResponse> responses(const Change& change, std::size_t ticks = 4
   header.device = libnifalcon_model();
   header.has_outputs = true;
   TraceWriter writer(folder.path() / "felt.trace", header);
+  Chain chain(header);
   for (std::size_t tick = 0; tick < ticks; ++tick) {
     TraceRecord record;
     record.input.packet = packet(100);
@@ -31,7 +33,7 @@ std::vector<FaultResponse> responses(const Change& change, std::size_t ticks = 4
     record.output.commands = {1, 0, 0};
     record.output.state = static_cast<std::uint16_t>(SupervisorState::kActive);
     change(tick, record);
-    writer.append(record);
+    writer.append(test::chained(chain, record));
   }
   writer.finish();
   return fault_responses(read_trace(folder.path() / "felt.trace"));

@@ -11,6 +11,7 @@
 #include "host/motion/device_in_hand.h"
 #include "host/motion/motion.h"
 #include "host/trace/trace_diff.h"
+#include "tests/support/chained.h"
 #include "tests/support/field_image.h"
 #include "tests/support/scratch_folder.h"
 
@@ -50,7 +51,7 @@ Difference after_flip(const ScratchFolder& folder, const FieldView& field, std::
                       int bit = 0) {
   char& target = bytes[256 + 104 * tick + byte];
   target = static_cast<char>(target ^ (1 << bit));
-  const ReplayReport report = replay(field, read_trace(folder.write("flipped.trace", bytes)), true);
+  const ReplayReport report = replay(field, read_trace(folder.write("flipped.trace", bytes), Damaged::kReport), true);
   return report.first_difference.value_or(Difference{0, "none"});
 }
 
@@ -187,7 +188,7 @@ TEST(Replay, OfADeviceNamesTickAndFieldOfAChange) {
       std::string flipped = bytes;
       char& target = flipped[256 + 104 * tick + byte];
       target = static_cast<char>(target ^ 1);
-      const ReplayReport report = replay(image.view(), read_trace(folder.write("flipped.trace", flipped)), true);
+      const ReplayReport report = replay(image.view(), read_trace(folder.write("flipped.trace", flipped), Damaged::kReport), true);
       ASSERT_TRUE(report.first_difference) << name;
       EXPECT_EQ(report.first_difference->tick, tick) << name;
       EXPECT_EQ(report.first_difference->field, name);
@@ -201,7 +202,7 @@ TEST(Replay, OfADeviceRefusesASecondFieldAndAnotherFirstField) {
   const std::string bytes = bytes_of(recorded_packets(folder, image.view()));
   std::string swapped = bytes;
   swapped[256 + 104 * 300 + 12] = 8;
-  const Trace trace = read_trace(folder.write("swapped.trace", swapped));
+  const Trace trace = read_trace(folder.write("swapped.trace", swapped), Damaged::kReport);
   EXPECT_THROW(replay(image.view(), trace, false), InputError);
   const test::FieldImage other = ball(19);
   EXPECT_THROW(replay(other.view(), read_trace(folder.write("whole.trace", bytes)), true), InputError);
@@ -230,10 +231,11 @@ TEST(Replay, PacketsFromTheMiddleOfARunAreRefused) {
   const auto from = [&](std::size_t begin, std::uint8_t requests) {
     const std::filesystem::path file = folder.path() / "part.trace";
     TraceWriter writer(file, whole.header());
+    Chain chain(whole.header());
     for (std::size_t tick = begin; tick < whole.size(); ++tick) {
       TraceRecord record = whole.record(tick);
       if (tick == begin) record.input.requests |= requests;
-      writer.append(record);
+      writer.append(test::chained(chain, record));
     }
     writer.finish();
     return read_trace(file);

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <functional>
+#include <iterator>
+#include <string>
 
 #include "host/error.h"
 #include "tests/support/scratch_folder.h"
@@ -105,6 +108,23 @@ TEST(TraceDiff, AShorterRunEndsWhereTheOtherGoesOn) {
   ASSERT_TRUE(difference.has_value());
   EXPECT_EQ(difference->tick, 10U);
   EXPECT_EQ(difference->field, "length");
+}
+
+/// Its chain is still that of the original.
+TEST(TraceDiff, ARecordThatWasChangedAfterwardsIsFound) {
+  const ScratchFolder folder;
+  const Trace a = story(folder, "a", 100);
+  std::ifstream in(a.path(), std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const auto changed = [&](std::size_t byte) {
+    std::string other = bytes;
+    other[256 + 104 * 70 + byte] ^= 1;
+    const Trace b = read_trace(folder.write("b", other), Damaged::kReport);
+    const auto difference = first_difference(a, b);
+    return difference ? std::to_string(difference->tick) + ' ' + difference->field : "none";
+  };
+  EXPECT_EQ(changed(56), "70 force.x");
+  EXPECT_EQ(changed(90), "70 chain");
 }
 
 TEST(TraceDiff, NothingToCompareIsRefused) {

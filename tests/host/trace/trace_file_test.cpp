@@ -323,8 +323,16 @@ TEST(TraceFile, ARecordedChainBreaksWhereABitWasFlipped) {
   const std::filesystem::path file = write_trace(folder, 50, true);
   std::string bytes = bytes_of(file);
   bytes[256 + 104 * 17 + 46] ^= 1;
-  const Trace trace = read_trace(folder.write("b.trace", bytes));
+  const std::string sentence = (folder.path() / "b.trace").string() +
+                               ": the chain breaks at record 17: its bytes were changed after they were recorded; use the original file";
+  EXPECT_THAT([&] { (void)read_trace(folder.write("b.trace", bytes)); }, testing::ThrowsMessage<InputError>(sentence));
+  testing::internal::CaptureStderr();
+  const Trace trace = read_trace(folder.write("b.trace", bytes), Damaged::kReport);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "isotouch: " + sentence + '\n');
+  EXPECT_EQ(trace.damage(), sentence);
   for (std::size_t tick = 0; tick < 50; ++tick) EXPECT_EQ(trace.chain_follows(tick), tick != 17) << tick;
+  EXPECT_EQ(read_trace(file).damage(), "");
+  EXPECT_EQ(read_trace(write_trace(folder, 50, false)).damage(), "") << "without outputs there is no chain";
 }
 
 /// Restates the header's checksum, so that the refusal is about the field itself.
