@@ -115,6 +115,12 @@ void require_in_range(const std::vector<motion::TimedPoint>& points, const Impor
   }
 }
 
+/// Nobody but us knows of the copy that we look at.
+std::string without_path(const std::string& sentence, const fs::path& copy) {
+  const std::string begin = copy.string() + ": ";
+  return sentence.starts_with(begin) ? sentence.substr(begin.size()) : sentence;
+}
+
 /// A trace that was exported comes back as it was; what else the recording holds is left out.
 bool bring_back(const ImportOptions& options) {
   if (!options.topic.empty() || !bag::is_bag(options.source)) return false;
@@ -128,15 +134,21 @@ bool bring_back(const ImportOptions& options) {
   const fs::path looked_at = folder.path / "attached.trace";
   write_file(looked_at, found->trace.data(), found->trace.size());
   if (found->patches) write_file(trace::patches_of(looked_at), found->patches->data(), found->patches->size());
-  std::optional<trace::Trace> trace;
+  trace::Trace trace;
+  const auto cannot = [&](const std::string& why) {
+    return InputError(options.source.string() + ": the trace that it holds cannot be read (" + without_path(why, looked_at) +
+                      "); choose a topic with --topic");
+  };
+  if (const Refusal refusal = files::read_trace(looked_at.string(), trace)) throw cannot(refusal.sentence());
+  if (!trace.damage().empty()) throw cannot(trace.damage());
+  if (!trace.cut_off().empty())
+    std::fprintf(stderr, "isotouch: %s: %s\n", options.source.string().c_str(), without_path(trace.cut_off(), looked_at).c_str());
   try {
-    trace.emplace(trace::read_trace(looked_at));
-    (void)trace::patch_bytes(*trace);  // are they there?
+    (void)trace::patch_bytes(trace);  // are they there?
   } catch (const InputError& error) {
-    throw InputError(options.source.string() + ": the trace that it holds cannot be read (" + error.what() +
-                     "); choose a topic with --topic");
+    throw cannot(error.what());
   }
-  const std::optional<std::vector<std::uint8_t>> patches = trace::patches_for(options.trace.out, *trace);
+  const std::optional<std::vector<std::uint8_t>> patches = trace::patches_for(options.trace.out, trace);
   trace::finish_with_patches(options.trace.out, patches, [&] { write_file(options.trace.out, found->trace.data(), found->trace.size()); });
   std::fprintf(stderr, "%s: the trace that %s holds, to the bit\n", options.trace.out.string().c_str(), options.source.string().c_str());
   return true;

@@ -262,7 +262,7 @@ auto guarded(const std::string& name, const Read& read) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {
-    throw InputError(name + ": OpenVDB cannot read it: " + e.what());
+    throw InputError(name + ": OpenVDB cannot read it: " + e.what() + "; save it again");
   }
 }
 

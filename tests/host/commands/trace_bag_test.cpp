@@ -2,7 +2,10 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "host/bag/bag_motion.h"
+#include "host/bag/mcap_writer.h"
 #include "host/files/whole_file.h"
 #include "host/to_double.h"
 #include "host/trace/trace_file.h"
@@ -39,6 +42,29 @@ TEST_F(TraceInABag, ComesBackWithThePatchesOfItsField) {
   EXPECT_NE(complaint_on("trace export " + file("felt.trace") + " -o " + file("no.mcap")).find("felt.patches is not there"),
             std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(file("no.mcap")));
+}
+
+/// Nobody knows the file that it is looked at in.
+TEST_F(TraceInABag, WhatIsWrongWithItIsSaidOfTheFileThatWasNamed) {
+  std::vector<std::uint8_t> trace = read_file(ISOTOUCH_GOLDEN "/positions.trace");
+  const auto attach = [&](const char* name) {
+    bag::McapWriter writer("test");
+    writer.attach("felt.trace", bag::kTraceMediaType, trace);
+    const std::vector<std::uint8_t> bytes = writer.finish();
+    write_file(file(name), bytes.data(), bytes.size());
+    return "trace import " + file(name) + " -o " + file("back.trace");
+  };
+  trace[256 + 104 * 3 + 46] ^= 1;
+  EXPECT_EQ(complaint_on(attach("changed.mcap")),
+            file("changed.mcap") +
+                ": the trace that it holds cannot be read (the chain breaks at record 3: its bytes were changed after they were "
+                "recorded; use the original file); choose a topic with --topic");
+  EXPECT_FALSE(std::filesystem::exists(file("back.trace")));
+  trace[256 + 104 * 3 + 46] ^= 1;
+  trace.resize(trace.size() - 130);
+  ::testing::internal::CaptureStderr();
+  run_command(attach("cut.mcap"));
+  EXPECT_EQ(::testing::internal::GetCapturedStderr().find("isotouch: " + file("cut.mcap") + ": the recording was cut off; it holds "), 0U);
 }
 
 TEST_F(TraceInABag, AnOptionForAnotherKindOfSourceIsRefused) {
