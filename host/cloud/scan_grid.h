@@ -37,8 +37,8 @@ struct ScanGrid {
 /// returns   how many points were left out: beside a jump, with fewer than four joined cells around them, or in no cell. Nothing, and the model stays
 ///           as it was, when fewer than half of the returns would get a normal, or a fifth of the normals would face away from the sensor: then the grid
 ///           is not that of an image. Nor when the sensor cannot have stood in its place, as the cells with a normal show.
-///           Stated or usual: the image is that of a camera in the origin, or it is mirrored as seen from the place, and its columns do not lie in planes through it,
-///           nor, at least, much nearer to such planes than to those through the origin.
+///           Stated or usual: the image is that of a camera in the origin, or it is mirrored as seen from the place, and its columns do not lie in planes
+///           through it, nor, at least, much nearer to such planes than to those through the origin.
 ///           Assumed: 1 % of the normals are more than 75 degrees beside the middle of the image; or rows or columns are bent as rings round an axis
 ///           are; or the image is mirrored as seen from the place, and its rows and columns do not lie in planes through it
 /// is_elsewhere   whether that is the reason
