@@ -17,14 +17,6 @@ const char* differing_header(const TraceHeader& a, const TraceHeader& b) {
   return nullptr;
 }
 
-}  // namespace
-
-void require_a_recording(const Trace& trace) {
-  const std::string name = trace.path() + ": ";
-  if (!trace.header().has_outputs) throw InputError(name + describe(Error::kNoOutputs) + "; replay it with -o first");
-  if (trace.size() == 0) throw InputError(name + "holds no records, there is nothing to compare");
-}
-
 bool is_sound(const Trace& trace) {
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
     if (!trace.chain_follows(tick)) return false;
@@ -38,6 +30,14 @@ std::optional<std::string> difference_at(const Trace& a, const Trace& b, std::si
   if (const FieldName input = differing_input(left.input, right.input)) return std::string(input.view());
   if (const FieldName output = differing_output(left.output, right.output)) return std::string(output.view());
   return left.chain != right.chain ? std::optional<std::string>("chain") : std::nullopt;
+}
+
+}  // namespace
+
+void require_a_recording(const Trace& trace) {
+  const std::string name = trace.path() + ": ";
+  if (!trace.header().has_outputs) throw InputError(name + describe(Error::kNoOutputs) + "; replay it with -o first");
+  if (trace.size() == 0) throw InputError(name + "holds no records, there is nothing to compare");
 }
 
 std::optional<Difference> first_difference(const Trace& a, const Trace& b) {
