@@ -22,6 +22,7 @@ nlohmann::ordered_json to_json(const field::Verdict& verdict) {
           {"turned_share", verdict.turned_share},
           {"invented_share", verdict.invented_share},
           {"gap_share", verdict.gap_share},
+          {"unseen_end_share", verdict.unseen_end_share},
           {"rim_mm", verdict.rim_mm},
           {"volume_of_hull", verdict.volume_of_hull},
           {"volume_of_enclosed", verdict.volume_of_enclosed},

@@ -22,6 +22,8 @@ class Spacings {
     for (auto& known : known_) known.store(kUnknown, std::memory_order_relaxed);
   }
 
+  const cloud::OrientedPoints& points() const { return points_; }
+
   /// The nearest of the points round a place whose normal looks to the same side as the surface there; nothing where none of a few does. The other side
   /// of a wall is near and shows nothing of this one.
   ///
@@ -36,6 +38,9 @@ class Spacings {
     }
     return std::nullopt;
   }
+
+  /// The points nearest to a place, ascending. Replaces `found`.
+  void around(const Eigen::Vector3d& place, std::size_t count, std::vector<Neighbour>& found) const { tree_.nearest(place, count, found); }
 
   /// From a point to its sixth neighbour, or to the last of a few.
   double at(std::uint32_t point, std::vector<Neighbour>& found) const {

@@ -12,6 +12,7 @@
 #include "host/field/hull_volume.h"
 #include "host/field/parallel.h"
 #include "host/field/rounding.h"
+#include "host/field/unseen_end.h"
 #include "host/field/unseen_share.h"
 
 namespace isotouch::field {
@@ -33,6 +34,7 @@ constexpr double kMostStrays = 0.3;
 constexpr double kMostNoise = 0.8;  // spacings
 constexpr double kMostGaps = 0.01;
 constexpr double kMostGapsOfSheet = 0.025;  // what one view sees has shadows
+constexpr double kMostUnseenEnds = 0.0005;  // the mouth of a bottle is 0.001 to 0.01
 constexpr double kMostUnexplained = 0.4;
 constexpr double kMostSurprising = 0.02;
 constexpr double kLayered = 0.86;      // of `Roughness::layered`, between noise and walls
@@ -231,6 +233,8 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   verdict.volume_of_hull = hull > 0.0 ? volume / hull : 0.0;
   // Where a sheet ends beside a shadow, what lies behind its edge was invented, and there is much of it in a sound scan of one side.
   verdict.gap_share = unseen_share(field, spacings, kGap, closed ? Showing::kSameSide : Showing::kAny);
+  const UnseenEnd unseen = closed ? unseen_end(field, spacings) : UnseenEnd{};
+  verdict.unseen_end_share = unseen.share;
   verdict.surprising_share = repair.surprising;
 
   if (closed && sound.enclosed > 0.0) verdict.volume_of_enclosed = volume / sound.enclosed;
@@ -308,6 +312,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   refuse(closed && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
          "a limb or a wall is cut off in the scan near " + cloud::in_brackets(sound.rim.least_place) +
              ", and nobody knows how far the body goes on; scan the missing part, or cut the scan off in one plane");
+  refuse(verdict.gap_share <= most_gaps && verdict.unseen_end_share > kMostUnseenEnds,
+         "the scan sees into a hollow but not to its end near " + cloud::in_brackets(unseen.place.array().round().matrix()) +
+             " mm in the workspace, and nobody knows how large it is; scan its inside, too, or cover its mouth and scan again");
   const double patches = static_cast<double>(sound.rim.patches) / count;
   refuse(closed && patches > kMostPatches, per_cent(patches) +
                                                " of the points form patches that nothing joins to the rest, and nobody knows what lies "

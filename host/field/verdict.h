@@ -24,6 +24,7 @@ struct Verdict {
   double turned_share = 0;           ///< of the normals: turned round
   double invented_share = 0;         ///< of the surface: nobody scanned it (invented_surface.h)
   double gap_share = 0;              ///< of the surface: as far from every point that shows it, invented ones too (unseen_share.h)
+  double unseen_end_share = 0;       ///< of the surface: it closes hollows into which the scan sees, but not to their end (unseen_end.h)
   double surprising_share = 0;       ///< of the surface: its samples lie more than a voxel off where their neighbours expect it
   double rim_mm = 0;                 ///< length of all open rims together
   double volume_of_hull = 0;      ///< the body's volume over that of the convex hull of all points, invented ones too (cut by 196 planes)

@@ -1,0 +1,140 @@
+#include "host/field/unseen_end.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "host/field/brick_gradient.h"
+#include "host/field/parallel.h"
+#include "host/field/sample_masks.h"
+#include "host/field/sets.h"
+#include "host/field/sign_step.h"
+#include "host/field/unseen_share.h"
+
+namespace isotouch::field {
+
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3i;
+
+// By trial of 2026-11 on bottles, vases and jars seen from outside, and on 16 real scans.
+constexpr std::size_t kAround = 8;  // points that may show a place
+constexpr double kItsWay = 0.5;     // cosine: a point whose normal is nearer to the surface's shows it
+constexpr double kFarthest = 1.0;   // distances to the sixth neighbour, at one place of the piece
+constexpr double kAllRound = 0.2;   // middle eigenvalue of the normals' squares: of a tube 0.4 and more, of the two faces of a wall 0.1
+constexpr double kLeaning = 0.5;    // length of the mean normal: of a tube 0.3 at most, of a hole in a face 0.7 and more
+constexpr double kAlong = 0.4;      // mean cosine to the piece's normal
+constexpr double kLooks = 0.5;      // cosine, from a point to the piece's middle
+constexpr std::size_t kFewest = 6;  // points that look at it
+
+/// Surface that no point shows: of a brick, then of all bricks that hang together.
+struct Unshown {
+  Vector3i cell;
+  std::size_t samples = 0;  ///< beside the surface
+  double farthest = 0;      ///< from the nearest point, in distances from there to its sixth neighbour
+  Vector3d place = Vector3d::Zero(), outward = Vector3d::Zero();  ///< sums
+  std::vector<std::uint32_t> around = {};                         ///< points
+
+  void add(const Unshown& other) {
+    samples += other.samples;
+    farthest = std::max(farthest, other.farthest);
+    place += other.place;
+    outward += other.outward;
+    around.insert(around.end(), other.around.begin(), other.around.end());
+  }
+  Vector3d middle() const { return place / static_cast<double>(samples); }
+};
+
+bool closes_hollow(Unshown& piece, const cloud::OrientedPoints& points) {
+  if (piece.farthest < kFarthest) return false;
+  std::sort(piece.around.begin(), piece.around.end());
+  piece.around.erase(std::unique(piece.around.begin(), piece.around.end()), piece.around.end());
+  const Vector3d outward = piece.outward.normalized(), middle = piece.middle();
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  Vector3d sum = Vector3d::Zero();
+  double along = 0.0;
+  std::size_t looking = 0;
+  for (const std::uint32_t p : piece.around) {
+    const Vector3d& normal = points.normals[p];
+    squares += normal * normal.transpose();
+    sum += normal;
+    along += std::abs(normal.dot(outward));
+    const Vector3d way = middle - points.positions[p];
+    looking += normal.dot(way) > kLooks * way.norm() ? 1U : 0U;
+  }
+  const auto count = static_cast<double>(piece.around.size());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares / count, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()[1] > kAllRound && sum.norm() < kLeaning * count && along < kAlong * count && looking >= kFewest;
+}
+
+}  // namespace
+
+UnseenEnd unseen_end(const BandField& field, const Spacings& spacings) {
+  const cloud::OrientedPoints& points = spacings.points();
+  std::vector<Unshown> bricks(field.bricks.size());
+  std::vector<std::size_t> beside(field.bricks.size());
+  in_parallel(field.bricks.size(), 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<Neighbour> found, room;
+    for (std::size_t b = begin; b < end; ++b) {
+      const Brick& brick = field.bricks[b];
+      const BrickMask passed = samples_that(brick.distance, [](Four d) { return magnitude(d) < 0.5F; }) | sign_steps(brick.distance);
+      bricks[b].cell = brick.cell;
+      for (int s = 0; s < 64; ++s) {
+        if ((passed >> s & 1) == 0) continue;
+        ++beside[b];
+        const Vector3d place = field.grid.position(4 * brick.cell + Vector3i(s & 3, s >> 2 & 3, s >> 4));
+        const Vector3d outward = gradient_at(brick, s).normalized();
+        spacings.around(place, 1, found);
+        if (found[0].squared_distance <= field.grid.edge * field.grid.edge) continue;
+        spacings.around(place, kAround, found);
+        const bool shown = std::any_of(found.begin(), found.end(), [&](const Neighbour& n) {
+          return points.normals[n.index].dot(outward) > kItsWay &&
+                 std::sqrt(n.squared_distance) < kGap * spacings.at(n.index, room) + field.grid.edge;
+        });
+        if (shown) continue;
+        Unshown& here = bricks[b];
+        ++here.samples;
+        here.place += place;
+        here.outward += outward;
+        here.farthest = std::max(here.farthest, std::sqrt(found[0].squared_distance) / spacings.at(found[0].index, room));
+        for (const Neighbour& n : found) here.around.push_back(n.index);
+      }
+    }
+  });
+  std::size_t all = 0;
+  for (const std::size_t count : beside) all += count;
+  std::erase_if(bricks, [](const Unshown& b) { return b.samples == 0; });
+
+  // Bricks that touch hang together.
+  Sets sets(bricks.size());
+  for (std::uint32_t i = 0; i < bricks.size(); ++i) {
+    for (int way = 0; way < 13; ++way) {  // of 27 with itself in the middle: those before it
+      const Vector3i cell = bricks[i].cell + Vector3i(way % 3 - 1, way / 3 % 3 - 1, way / 9 - 1);
+      const auto before = bricks.begin() + i;
+      const auto other = std::lower_bound(bricks.begin(), before, cell,
+                                          [](const Unshown& brick, const Vector3i& c) { return sort_key(brick.cell) < sort_key(c); });
+      if (other == before || other->cell != cell) continue;
+      const std::uint32_t a = sets.of(i), b = sets.of(static_cast<std::uint32_t>(other - bricks.begin()));
+      if (a != b) sets.join(a, b);
+    }
+  }
+  std::vector<Unshown> pieces(bricks.size());
+  for (std::uint32_t i = 0; i < bricks.size(); ++i) pieces[sets.of(i)].add(bricks[i]);
+  UnseenEnd result;
+  std::size_t closing = 0, largest = 0;
+  for (Unshown& piece : pieces) {
+    if (piece.samples == 0 || !closes_hollow(piece, points)) continue;
+    closing += piece.samples;
+    if (piece.samples <= largest) continue;
+    largest = piece.samples;
+    result.place = piece.middle();
+  }
+  if (all > 0) result.share = static_cast<double>(closing) / static_cast<double>(all);
+  return result;
+}
+
+}  // namespace isotouch::field
