@@ -312,9 +312,6 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   refuse(closed && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
          "a limb or a wall is cut off in the scan near " + cloud::in_brackets(sound.rim.least_place) +
              ", and nobody knows how far the body goes on; scan the missing part, or cut the scan off in one plane");
-  refuse(verdict.gap_share <= most_gaps && verdict.unseen_end_share > kMostUnseenEnds,
-         "the scan sees into a hollow but not to its end near " + cloud::in_brackets(unseen.place.array().round().matrix()) +
-             " mm in the workspace, and nobody knows how large it is; scan its inside, too, or cover its mouth and scan again");
   const double patches = static_cast<double>(sound.rim.patches) / count;
   refuse(closed && patches > kMostPatches, per_cent(patches) +
                                                " of the points form patches that nothing joins to the rest, and nobody knows what lies "
@@ -355,6 +352,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   limit(verdict.debris_share, kMostDebris,
         std::to_string(removed) + (removed == 1 ? " piece or cavity" : " pieces and cavities") +
             " that no points support had to be removed; check the normals and remove strays");
+  refuse(verdict.gap_share <= most_gaps && verdict.unseen_end_share > kMostUnseenEnds,
+         "the scan sees into a hollow but not to its end near " + cloud::in_brackets(unseen.place.array().round().matrix()) +
+             " mm in the workspace, and nobody knows how large it is; scan its inside, too, or cover its mouth and scan again");
   refuse(verdict.reasons.empty() && together > kMostTogether, "several figures are near their limits, above all this: " + above_all);
   if (!verdict.plausible()) {
     const bool is_named = rounded > most_rounded || far > most_rounded;
