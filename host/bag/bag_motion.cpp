@@ -77,11 +77,11 @@ class Collector {
   }
 
   std::vector<motion::TimedPoint> points() {
-    for (Series* series : {&positions_, &forces_}) sort_by_time(*series);
     require_one(position_topics_, topics_.positions, "a position", "--topic");
     if (topics_.with_forces) require_one(force_topics_, topics_.forces, "a force", "--force-topic");
     if (topics_.with_forces) require_same_frame();
     const bool stamped = is_stamped(positions_) && (!topics_.with_forces || is_stamped(forces_));
+    for (Series* series : {&positions_, &forces_}) sort_by_time(*series, stamped);
     const std::vector<std::int64_t>& all = stamped ? positions_.stamps_ns : positions_.recorded_ns;
     const std::int64_t first = all.empty() ? 0 : all.front();
     const std::vector<double> times = times_of(positions_, stamped, first), force_times = times_of(forces_, stamped, first);
@@ -121,22 +121,20 @@ class Collector {
            std::any_of(series.stamps_ns.begin(), series.stamps_ns.end(), [](std::int64_t stamp) { return stamp != 0; });
   }
 
-  /// As they were recorded: the chunks of an MCAP file need not follow each other in time.
-  static void sort_by_time(Series& series) {
-    if (std::is_sorted(series.recorded_ns.begin(), series.recorded_ns.end())) return;
+  /// By the time that counts: a message may have been overtaken on its way, and the chunks of an MCAP file need not follow each other in time.
+  static void sort_by_time(Series& series, bool stamped) {
+    std::vector<std::int64_t>& times = stamped ? series.stamps_ns : series.recorded_ns;
+    if (std::is_sorted(times.begin(), times.end())) return;
     std::vector<std::size_t> order(series.values.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return series.recorded_ns[a] < series.recorded_ns[b]; });
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return times[a] < times[b]; });
     const auto reorder = [&](auto& list) {
-      if (list.size() != order.size()) return;  // not every message has a stamp: none counts
       auto sorted = list;
       for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = list[order[i]];
       list = std::move(sorted);
     };
-    reorder(series.stamps_ns);
+    reorder(times);
     reorder(series.values);
-    reorder(series.recorded_ns);
   }
 
   /// Seconds since the first position.

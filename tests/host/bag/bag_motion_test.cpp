@@ -7,6 +7,7 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <string>
@@ -347,6 +348,32 @@ TEST(Bag, MessagesMayStandInAnyOrder) {
       EXPECT_NEAR(points[i].time, (stamped ? 1.0 : 0.01) * static_cast<double>(i), 1e-12);
     }
   }
+}
+
+/// A message on its way may be overtaken. Forces without stamps make the recording's time count.
+TEST(Bag, MessagesAreInTheOrderOfTheTimeThatCounts) {
+  constexpr std::array<std::uint64_t, 5> kRecordedMs = {5, 30, 20, 40, 50};
+  McapWriter writer("test");
+  const auto places = writer.channel(writer.schema("geometry_msgs/PointStamped", "jsonschema", "{}"), "/hand", "json");
+  const auto forces = writer.channel(writer.schema("geometry_msgs/msg/WrenchStamped", "jsonschema", "{}"), "/force", "json");
+  const std::string force = R"({"wrench":{"force":{"x":2,"y":0,"z":0}}})";
+  for (std::size_t i = 0; i < kRecordedMs.size(); ++i) {
+    const std::string place = R"({"header":{"stamp":{"sec":1,"nanosec":)" + std::to_string(i * 10'000'000) + R"(}},"point":{"x":)" +
+                              std::to_string(i) + R"(,"y":0,"z":0}})";
+    writer.message(places, kRecordedMs[i] * 1'000'000, Bytes(place.begin(), place.end()));
+    writer.message(forces, kRecordedMs[i] * 1'000'000, Bytes(force.begin(), force.end()));
+  }
+  const fs::path file = written("overtaken.mcap", writer.finish());
+  const auto by_stamp = read_bag_motion(file, {.mm_per_unit = 1}),
+             recorded = read_bag_motion(file, {.with_forces = true, .mm_per_unit = 1});
+  ASSERT_EQ(by_stamp.size(), kRecordedMs.size());
+  ASSERT_EQ(recorded.size(), kRecordedMs.size());
+  for (std::size_t i = 0; i < by_stamp.size(); ++i) {
+    EXPECT_EQ(by_stamp[i].position.x(), static_cast<double>(i));
+    EXPECT_NEAR(by_stamp[i].time, 0.01 * static_cast<double>(i), 1e-12);
+  }
+  EXPECT_EQ(recorded[1].position.x(), 2);
+  EXPECT_NEAR(recorded[1].time, 0.015, 1e-12);
 }
 
 /// A recording of rosbag2: its tables, and messages of PointStamped in CDR.
