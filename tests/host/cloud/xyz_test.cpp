@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "host/error.h"
 
@@ -12,6 +13,10 @@ namespace {
 using Eigen::Vector3d;
 
 Model read(const std::string& text) { return read_xyz("f.xyz", {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}); }
+
+std::vector<Vector3d> read_places(const std::string& text) {
+  return read_xyz_positions("f.xyz", {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
 
 TEST(Xyz, EveryCustomaryDressGivesTheSamePoints) {
   for (const char* text : {"1 2 3 0 0 1\n4 5 6 0 1 0\n", "2\n1 2 3 0 0 1\n4 5 6 0 1 0\n",
@@ -79,6 +84,37 @@ TEST(Xyz, AnEmptyCellIsACell) {
   EXPECT_EQ(refusal("x,y,z\n1,2,3\n1,,3\n"), "f.xyz: line 3: '' is no number; 'y' should stand there");
 }
 
+TEST(Xyz, CellsBelowNamesWithTabsMayBeSeparatedByBlanks) {
+  EXPECT_EQ(read("x\ty\tz\tintensity\n1 2 3\t50\n").positions[0], Vector3d(1, 2, 3));
+  for (const char* text : {"nx\tny\tnz\tx\ty\tz\n0 0 1\t1 2 3\n", "#nx\tny\tnz\tx\ty\tz\n0 0 1\t1 2 3\n"}) {
+    const Model model = read(text);
+    EXPECT_EQ(model.positions[0], Vector3d(1, 2, 3)) << text;
+    EXPECT_EQ(model.normals.at(0), Vector3d(0, 0, 1)) << text;
+  }
+  EXPECT_EQ(refusal("x\ty\tz\tid\n1 2\t3\n"), "f.xyz: line 2: not 4 values, as many as the line of names has");
+}
+
+TEST(Xyz, ARemarkOfNamesInAnotherOrderIsNotForgotten) {
+  EXPECT_EQ(refusal("# z y x\n3 2 1 0 0 1\n"),
+            "f.xyz: line 2: not 3 values, as many columns as a remark above names; correct that remark or remove it");
+  EXPECT_EQ(refusal("# nx ny nz x y z id\n0 0 1 1 2 3\n").substr(0, 28), "f.xyz: line 2: not 7 values,");
+  EXPECT_EQ(refusal("# z y x\n3 2 1\n3 2\n"), "f.xyz: line 3: not 3 values, as many as the line of names has") << "it is no doubt meant";
+  EXPECT_EQ(read("# x y z\n1 2 3 0 0 1\n").normals.size(), 1U);
+  EXPECT_EQ(read("# x, y and z in mm, nx ny nz unit\n1 2 3 0 0 1\n").normals.size(), 1U);
+}
+
+TEST(Xyz, NamesAreSplitAsTheyNameMore) {
+  for (const char* text : {"x,y,z,nx ny nz\n1,2,3,0 0 1\n", "x,y,z,nx,ny nz\n1,2,3,0,0 1\n", "x\ty\tz\tnx ny nz\n1\t2\t3\t0 0 1\n"}) {
+    const Model model = read(text);
+    EXPECT_EQ(model.positions[0], Vector3d(1, 2, 3)) << text;
+    ASSERT_EQ(model.normals.size(), 1U) << text;
+    EXPECT_EQ(model.normals[0], Vector3d(0, 0, 1)) << text;
+  }
+  for (const char* text :
+       {"x,y,z,angle to x\n1,2,3,9\n", ",x,y,z,stiffness of it\n0,1,2,3,9\n", ",x,y,z,my nx,my ny,my nz\n0,1,2,3,9,9,9\n"})
+    EXPECT_EQ(read(text).positions[0], Vector3d(1, 2, 3)) << text;
+}
+
 TEST(Xyz, NamesThatContradictEachOtherAreRefused) {
   EXPECT_EQ(refusal("x,y,z,x,y,z\n1,2,3,4,5,6\n"), "f.xyz: line 1: columns 'x' and 'x' are the same; remove one of them");
   EXPECT_EQ(refusal("x,y,z,nx,ny\n1,2,3,0,0\n"), "f.xyz: line 1: only a part of nx, ny, nz is named; a normal needs all three");
@@ -95,6 +131,30 @@ TEST(Xyz, AColumnOfStiffnessIsRead) {
   EXPECT_EQ(model.stiffness, (std::vector<double>{0.2, 1.5}));
   EXPECT_TRUE(model.normals.empty());
   EXPECT_EQ(read("stiffness x y z nx ny nz\n0.2 1 2 3 0 0 1\n").stiffness, (std::vector<double>{0.2}));
+}
+
+TEST(Xyz, OfPlacesOnlyTheirThreeNumbersCount) {
+  for (const char* text : {"1 2 3 7\n4 5 6\n", "1,2,3,10,20,30\n4,5,6,255,0,0\n", "1 2 3 4 5 6 7 8\n4 5 6 a label\n", "2\n1 2 3\n4 5 6\n",
+                           "nx,x,y,z\n0,1,2,3\n0,4,5,6\n", "# nx ny nz x y z\n0 0 1 1 2 3\n0 0 1 4 5 6\n"}) {
+    const std::vector<Vector3d> places = read_places(text);
+    ASSERT_EQ(places.size(), 2U) << text;
+    EXPECT_EQ(places[0], Vector3d(1, 2, 3)) << text;
+    EXPECT_EQ(places[1], Vector3d(4, 5, 6)) << text;
+  }
+  for (const char* text : {"1 2\n", "1 2 nan\n", "1,5 2,5 3,5\n", "3\n1 2 3\n", "# nx ny nz x y z id\n0 0 1 1 2 3\n"})
+    EXPECT_THROW(read_places(text), InputError) << text;
+}
+
+TEST(Xyz, OtherNamesGetARemedy) {
+  const std::string remedy =
+      "f.xyz: line 1: 'px' is no number; a coordinate should stand there, or a first line must name the columns x, y and z";
+  EXPECT_EQ(refusal("px,py,pz\n1,2,3\n"), remedy);
+  try {
+    read_places("px,py,pz\n1,2,3\n");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), remedy);
+  }
 }
 
 }  // namespace
