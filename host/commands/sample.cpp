@@ -32,7 +32,7 @@ std::vector<Vector3d> read_places(const std::filesystem::path& file) {
   std::vector<std::uint8_t> bytes = read_file(file);
   if (cloud::file_kind(file, bytes) == cloud::FileKind::kPly)
     return cloud::read_ply(file.string(), bytes).positions;  // a row for each point
-  return cloud::read_xyz(file.string(), bytes).positions;
+  return cloud::read_xyz_positions(file.string(), bytes);
 }
 
 /// As short as it can be for the number to be read back as it is.

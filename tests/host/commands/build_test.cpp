@@ -320,7 +320,7 @@ TEST_F(Build, SampleAnswersAsTheFieldDoes) {
   EXPECT_THROW(run("sample " + file("t.itf") + " " + file("own.csv") + " -o " + file("x.vdb")), InputError);
 }
 
-/// A text of places is read as a text of points is.
+/// A text of places is read as a text of points is, but only its positions are.
 TEST_F(Build, SampleReadsItsPlacesAsBuildDoes) {
   run("build " + file("torus.ply") + " -o " + file("t.itf") + " --grid 20");
   const auto first_row = [&](const std::string& places) {
@@ -332,6 +332,8 @@ TEST_F(Build, SampleReadsItsPlacesAsBuildDoes) {
   EXPECT_EQ(first_row("z,y,x\n3,2,1\n"), "1.0,2.");
   EXPECT_EQ(first_row("x_mm,y_mm,z_mm,distance_mm\n1,2,3,9\n"), "1.0,2.") << "as it writes them";
   EXPECT_EQ(first_row("1 2 3 0 0 1\n"), "1.0,2.");
+  EXPECT_EQ(first_row("1,2,3,10,20,30\n"), "1.0,2.") << "with colours";
+  EXPECT_EQ(first_row("1 2 3 7\n"), "1.0,2.");
   for (const char* refused : {"1,5;2,5;3,5\n", "1.0o 2 3\n4 5 6\n", "x,y,z\n,1,2,3\n", "1 nan 3\n", "1 2\n"})
     EXPECT_THROW(first_row(refused), InputError) << refused;
 }
