@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include <array>
@@ -11,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <vector>
 
 #include "shared/files/c_deleter.h"
 #include "shared/files/is_at.h"
@@ -21,6 +23,8 @@ namespace isotouch::files {
 namespace {
 
 constexpr int kMostLinks = 40;  // as many as the kernel follows
+constexpr mode_t kPermissions = 0777;
+constexpr const char* kAccessList = "system.posix_acl_access";
 
 /// The number of the open file of this process that a path under /proc names; -1: it names none.
 int descriptor_at(const std::string& path) {
@@ -41,6 +45,35 @@ bool is_recording(int file, off_t size) {
   return header && header->record_count == kUnfinished && header->has_outputs && header->settings_checksum != 0;
 }
 
+/// The access control list of a file, as the kernel keeps it; empty: there is none.
+std::vector<char> access_list(const std::string& path) {
+  std::vector<char> list(XATTR_SIZE_MAX);
+  const ssize_t size = ::getxattr(path.c_str(), kAccessList, list.data(), list.size());
+  list.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+  return list;
+}
+
+/// Gives a part the access rights of the file that it is to replace. What this process may not pass on it takes away: nobody but the owner gets more.
+///
+/// returns   false: errno says why the part cannot have as few rights as the file
+bool protect_as(int part, const std::string& output, const struct stat& before) {
+  struct stat there {};
+  if (::fstat(part, &there) != 0) return false;
+  const std::vector<char> list = access_list(output);
+  if (::fremovexattr(part, kAccessList) != 0 && errno != ENODATA && errno != EOPNOTSUPP) return false;  // that of the folder
+  const bool same_group = there.st_gid == before.st_gid || ::fchown(part, static_cast<uid_t>(-1), before.st_gid) == 0;
+  const bool same_list = list.empty() || (same_group && ::fsetxattr(part, kAccessList, list.data(), list.size(), 0) == 0);
+  mode_t mode = before.st_mode & kPermissions;
+  if (!same_group) {  // who was in the group is one of the others now, and the other way round
+    const mode_t all = mode >> 3 & mode & 07;
+    mode = (mode & 0700) | all << 3 | all;
+  }
+  if (!same_list) mode &= 0700;  // bits cannot say whom the list lets in
+  if ((::fstat(part, &there) != 0 || (there.st_mode & kPermissions) != mode) && ::fchmod(part, mode) != 0) return false;
+  if (there.st_uid != before.st_uid) (void)!::fchown(part, before.st_uid, static_cast<gid_t>(-1));  // last: only an owner may do the rest
+  return true;
+}
+
 }  // namespace
 
 OutputPlace output_place(const std::string& name) {
@@ -58,13 +91,12 @@ OutputPlace output_place(const std::string& name) {
 
 OpenPart open_part(const std::string& part, Leftover leftover) {
   const auto refused = [&](const std::string& what) { return OpenPart{-1, part + ": " + what}; };
-  constexpr mode_t kPermissions = 0777;
   const std::string output = part.substr(0, part.rfind('.'));
   struct stat before {};
   const bool is_there = ::stat(output.c_str(), &before) == 0 && S_ISREG(before.st_mode);
   if (is_there && ::faccessat(AT_FDCWD, output.c_str(), W_OK, AT_EACCESS) != 0) return {-1, std::strerror(errno)};
-  const mode_t mode = is_there ? before.st_mode & kPermissions : 0666;
-  constexpr int kTries = 100;  // a file system may give one file several numbers
+  const mode_t mode = is_there ? 0600 : 0666;  // nobody else opens it before it has the rights of the file there
+  constexpr int kTries = 100;                  // a file system may give one file several numbers
   for (int tries = 1;; ++tries) {
     const int file = ::open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, mode);
     if (file < 0 && errno == ELOOP) return refused("is a symbolic link, which may lead anywhere; remove it");
@@ -77,8 +109,8 @@ OpenPart open_part(const std::string& part, Leftover leftover) {
     struct stat there {};
     const bool regular = ::fstat(file, &there) == 0 && S_ISREG(there.st_mode);
     const bool is_kept = locked && regular && there.st_size > 0 && (leftover == Leftover::kRefuse || is_recording(file, there.st_size));
-    const auto is_like_output = [&] { return !is_there || (there.st_mode & kPermissions) == mode || ::fchmod(file, mode) == 0; };
-    if (locked && regular && !is_kept && (there.st_size == 0 || ::ftruncate(file, 0) == 0) && is_like_output()) return {file, {}};
+    const auto is_protected = [&] { return !is_there || protect_as(file, output, before); };
+    if (locked && regular && !is_kept && (there.st_size == 0 || ::ftruncate(file, 0) == 0) && is_protected()) return {file, {}};
     const int why = errno;
     ::close(file);
     if (!regular) return refused("is no file; remove it");

@@ -30,7 +30,8 @@ struct OpenPart {
 };
 
 /// Opens a part, which nobody else can open so until it is closed. What is renamed while it is open stays locked. Where there is a file NAME, the part gets
-/// its permissions, and none is opened if that file may not be written.
+/// its owner, group, permissions and access control list. What this process may not pass on makes the part less accessible, never more. None is opened if
+/// that file may not be written.
 ///
 /// part      its path, "NAME.part" for an output NAME
 OpenPart open_part(const std::string& part, Leftover leftover);

@@ -2,12 +2,18 @@
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
+#include <grp.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "host/error.h"
 #include "shared/files/part_file.h"
@@ -135,6 +141,107 @@ TEST(Files, AFileThatIsReplacedKeepsItsPermissions) {
   write_file(folder.path() / "other", "new");
   EXPECT_EQ(mode(folder.path() / "other"), 0644U);
   ::umask(before);
+}
+
+constexpr uid_t kNobody = 65534;
+
+struct Rights {
+  uid_t owner;
+  gid_t group;
+  mode_t mode;
+  bool operator==(const Rights&) const = default;
+};
+
+Rights rights_of(const std::filesystem::path& file) {
+  struct stat found {};
+  EXPECT_EQ(::stat(file.c_str(), &found), 0);
+  return {found.st_uid, found.st_gid, found.st_mode & 07777};
+}
+
+/// By a user who is in no group but his own.
+void write_as_nobody(const std::filesystem::path& file) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (::setgroups(0, nullptr) != 0 || ::setegid(kNobody) != 0 || ::seteuid(kNobody) != 0) ::_exit(2);
+    try {
+      write_file(file, "new");
+    } catch (const InputError&) {
+      ::_exit(1);
+    }
+    ::_exit(0);
+  }
+  int status = -1;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_EQ(status, 0);
+  EXPECT_EQ(std::filesystem::file_size(file), 3U);
+}
+
+TEST(Files, AFileThatIsReplacedKeepsItsOwnerAndGroup) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root may give files away";
+  const ScratchFolder folder;
+  const auto file = folder.write("file", "private");
+  ASSERT_EQ(::chown(file.c_str(), 7, 8), 0);
+  ASSERT_EQ(::chmod(file.c_str(), 0640), 0);
+  write_file(file, "new");
+  EXPECT_EQ(rights_of(file), (Rights{7, 8, 0640}));
+}
+
+TEST(Files, AnotherGroupGetsNoMoreThanEverybodyHad) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root may give files away";
+  const ScratchFolder folder;
+  ASSERT_EQ(::chmod(folder.path().c_str(), 0777), 0);
+  const auto file = folder.write("file", "private");
+  for (const auto& [before, after] : {std::pair{0660U, 0600U}, {0664U, 0644U}, {0606U, 0600U}, {0666U, 0666U}}) {
+    ASSERT_EQ(::chown(file.c_str(), kNobody, 8), 0);
+    ASSERT_EQ(::chmod(file.c_str(), before), 0);
+    write_as_nobody(file);
+    EXPECT_EQ(rights_of(file), (Rights{kNobody, kNobody, after}));
+  }
+}
+
+/// As the kernel wants it: lets user 1234 write, and the owning group do nothing.
+std::vector<std::uint16_t> list_for_a_guest() {
+  constexpr std::uint16_t kOwner = 1, kUser = 2, kGroup = 4, kMask = 16, kOther = 32, kUnnamed = 0xffff;
+  std::vector<std::uint16_t> list = {2, 0};
+  const auto add = [&](std::uint16_t who, std::uint16_t may, std::uint16_t low, std::uint16_t high) {
+    list.insert(list.end(), {who, may, low, high});
+  };
+  add(kOwner, 6, kUnnamed, kUnnamed);
+  add(kUser, 6, 1234, 0);
+  add(kGroup, 0, kUnnamed, kUnnamed);
+  add(kMask, 6, kUnnamed, kUnnamed);
+  add(kOther, 4, kUnnamed, kUnnamed);
+  return list;
+}
+
+TEST(Files, AFileThatIsReplacedKeepsItsAccessList) {
+  constexpr const char *kAccess = "system.posix_acl_access", *kDefault = "system.posix_acl_default";
+  const ScratchFolder folder;
+  const auto file = folder.write("file", "shared"), without = folder.write("without", "private");
+  ASSERT_EQ(::chmod(without.c_str(), 0660), 0);
+  const std::vector<std::uint16_t> list = list_for_a_guest();
+  const std::size_t size = 2 * list.size();
+  if (::setxattr(file.c_str(), kAccess, list.data(), size, 0) != 0) GTEST_SKIP() << "no access control lists here";
+  ASSERT_EQ(::setxattr(folder.path().c_str(), kDefault, list.data(), size, 0), 0);
+  const Rights before = rights_of(file);
+  const auto found = [&](const std::filesystem::path& of) {
+    std::vector<std::uint16_t> words(100);
+    const ssize_t bytes = ::getxattr(of.c_str(), kAccess, words.data(), 2 * words.size());
+    words.resize(bytes > 0 ? static_cast<std::size_t>(bytes) / 2 : 0);
+    return words;
+  };
+  write_file(file, "new");
+  EXPECT_EQ(found(file), list);
+  EXPECT_EQ(rights_of(file), before);
+  write_file(without, "new");
+  EXPECT_TRUE(found(without).empty()) << "that of its folder is for new files";
+  EXPECT_EQ(rights_of(without).mode, 0660U);
+  if (::geteuid() != 0) return;
+  ASSERT_EQ(::chmod(folder.path().c_str(), 0777), 0);
+  ASSERT_EQ(::chown(file.c_str(), kNobody, 8), 0);
+  write_as_nobody(file);
+  EXPECT_TRUE(found(file).empty()) << "it speaks of another group";
+  EXPECT_EQ(rights_of(file), (Rights{kNobody, kNobody, 0600}));
 }
 
 TEST(Files, AFileThatMayNotBeWrittenIsNotReplaced) {
