@@ -130,6 +130,7 @@ class Comparer {
   ///
   /// apart     the two have taken different ones before: the other one need not be equally near any more
   bool is_other_answer(const FeltTick& tick, const Output& out, const Vector3d& force, bool apart) const {
+    if (force.isZero(0)) return false;  // it leads nowhere
     const Vector3d hip = to_double(tick.hip), way = tick.god - hip;
     const double depth = way.norm(), tolerance = equal_tolerance(depth);
     if (direction_error(force, way) <= kOtherDirectionDeg || (to_double(out.proxy) - hip).norm() >= kFarthestAnswer * depth) return false;

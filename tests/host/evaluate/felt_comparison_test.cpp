@@ -248,6 +248,25 @@ TEST(FeltComparison, AChamferIsNoAnswerWhereTwoSidesAreEquallyNear) {
   EXPECT_EQ(all.equal_answers, 0U);
 }
 
+// So soft that the forces round to none.
+TEST(FeltComparison, NoForceIsNoAnswerWhereTwoSidesAreEquallyNear) {
+  constexpr double kSoft = 2e-5;  // N/mm
+  const auto mesh = box({-10, -10, -10}, {10, 10, 10});
+  const field::TriangleTree tree(mesh);
+  FeltPath path(tree, {9.65, 0, 11});
+  path.move({9.65, 0, 9.65}, 0.1);
+  path.hold(50);
+  const auto cube = [](const Vector3d& p) {
+    const Vector3d out = p.cwiseAbs() - Vector3d::Constant(10);
+    return out.cwiseMax(0).norm() + std::min(out.maxCoeff(), 0.0);
+  };
+  const field_file::OpenField field = field_of(cube, 10, Interpolation::kSpline, kSoft);
+  const FeltFigures all = compare_felt(field.view, tree, {{FeltKind::kEdge, 0, {}, path.take()}}).all;
+  EXPECT_GT(all.errors.direction_deg.count, 50U);
+  EXPECT_EQ(all.errors.direction_deg.median, 180);
+  EXPECT_EQ(all.equal_answers, 0U);
+}
+
 TEST(FeltComparison, CubesThatMakeUpACubeFeelAsIt) {
   cloud::TriangleMesh cubes;
   for (int n = 0; n < 27; ++n) {
