@@ -31,6 +31,8 @@ Refusal PatchWriter::begin(const std::string& trace) {
   discard();
   path_ = patches_of(trace);
   bytes_ = 0;
+  if (const Refusal why = files::may_replace(path_))
+    return path_ + ": patches of the recording could not be written there: " + why.sentence() + "; name the recording otherwise";
   struct stat there {};
   if (::lstat(part().c_str(), &there) != 0) return {};
   files::OpenPart left = files::open_part(part(), files::Leftover::kRefuse);  // an empty one may stay: whoever writes takes it

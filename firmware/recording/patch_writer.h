@@ -22,7 +22,7 @@ class PatchWriter {
   PatchWriter& operator=(const PatchWriter&) = delete;
 
   /// trace     the name of the recording
-  /// returns   why nothing may be written there: a recording that was cut off has left patches
+  /// returns   why nothing may be written there: a recording that was cut off has left patches, or what is there may not be replaced
   Refusal begin(const std::string& trace);
 
   /// returns   why it is not in the file; what was there before stays whole

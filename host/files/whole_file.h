@@ -29,8 +29,8 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& file);
 std::array<std::uint8_t, 48> first_bytes(const std::filesystem::path& file);
 
 /// Writes to a temporary beside `file`, syncs, then renames: the old file or the new one, never half of one, whatever ends the program or the power. A
-/// symbolic link stays, and what it leads to is replaced; the new file has the permissions of the old one. What is no regular file, or open in this program
-/// as /dev/stdout is, is written as it is.
+/// symbolic link stays, and what it leads to is replaced; the new file has the access rights of the old one (`shared/files/part_file.h`). What is no regular
+/// file, or open in this program as /dev/stdout is, is written as it is.
 ///
 /// fails     InputError naming the file; also where the old one may not be written
 void write_file(const std::filesystem::path& file, const std::uint8_t* data, std::size_t size);

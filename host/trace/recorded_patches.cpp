@@ -1,17 +1,21 @@
 #include "host/trace/recorded_patches.h"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include "host/error.h"
 #include "host/files/whole_file.h"
 #include "host/trace/replay.h"
 #include "shared/files/part_file.h"
+#include "shared/files/refusal.h"
+#include "shared/files/scoped_file.h"
 #include "shared/files/sync_folder.h"
+#include "shared/files/write_all.h"
 #include "shared/patch_chain.h"
 
 namespace isotouch::trace {
@@ -55,11 +59,11 @@ std::optional<std::vector<std::uint8_t>> patch_bytes(const Trace& trace) {
   if (!std::filesystem::exists(file)) {
     if (!has_beginning(trace)) {
       throw InputError(trace.path() +
-                      ": the field was patched in the middle of it, and of the ticks that it saves at a fault or after a crash a " +
-                      "controller keeps no patches; look at it with isotouch trace show");
+                       ": the field was patched in the middle of it, and of the ticks that it saves at a fault or after a crash a " +
+                       "controller keeps no patches; look at it with isotouch trace show");
     }
     throw InputError(trace.path() + ": the field was patched while it was recorded, and " + file.string() + " is not there; " +
-                    (is_named ? "give the file that was written beside the trace" : "keep that file beside the trace"));
+                     (is_named ? "give the file that was written beside the trace" : "keep that file beside the trace"));
   }
   return read_file(file);
 }
@@ -76,16 +80,16 @@ void finish_with_patches(const std::filesystem::path& trace, const std::optional
                          const std::function<void()>& finish) {
   if (!patches) return finish();
   const std::string file = files::output_place(patches_of(trace)).path, part = file + ".part";
-  std::error_code failed;
-  if (std::filesystem::exists(file, failed) && !std::filesystem::is_regular_file(file, failed))  // else only the last step would fail
-    throw InputError(file + ": the patches of the trace cannot be written: it is a folder, a device or a pipe; name the trace otherwise");
-  write_file(part, patches->data(), patches->size());
-  if (std::filesystem::exists(file, failed))
-    std::filesystem::permissions(part, std::filesystem::status(file, failed).permissions(), failed);
+  const auto cannot = [&](const std::string& why) { return InputError(file + ": the patches of the trace cannot be written: " + why); };
+  if (const Refusal why = files::may_replace(file)) throw cannot(why.sentence() + "; name the trace otherwise");
+  const files::OpenPart opened = files::open_part(part, files::Leftover::kReplace);
+  if (opened.refusal) throw cannot(opened.refusal.sentence());
+  const ScopedFile open(opened.file);
   try {
+    if (!files::write_all(open.number, *patches) || ::fsync(open.number) != 0) throw cannot(std::strerror(errno));
     finish();
     if (std::rename(part.c_str(), file.c_str()) == 0 && files::sync_folder_of(file)) return;
-    throw InputError(file + ": the patches of the trace cannot be written: " + std::strerror(errno));
+    throw cannot(std::strerror(errno));
   } catch (...) {
     std::remove(part.c_str());
     throw;

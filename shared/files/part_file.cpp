@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "shared/files/c_deleter.h"
@@ -89,12 +90,20 @@ OutputPlace output_place(const std::string& name) {
   return place;
 }
 
+Refusal may_replace(const std::string& output) {
+  struct stat there {};
+  if (::stat(output.c_str(), &there) != 0) return {};
+  if (!S_ISREG(there.st_mode)) return "it is a folder, a device or a pipe";
+  if (::faccessat(AT_FDCWD, output.c_str(), W_OK, AT_EACCESS) != 0) return std::strerror(errno);
+  return {};
+}
+
 OpenPart open_part(const std::string& part, Leftover leftover) {
   const auto refused = [&](const std::string& what) { return OpenPart{-1, part + ": " + what}; };
   const std::string output = part.substr(0, part.rfind('.'));
   struct stat before {};
-  const bool is_there = ::stat(output.c_str(), &before) == 0 && S_ISREG(before.st_mode);
-  if (is_there && ::faccessat(AT_FDCWD, output.c_str(), W_OK, AT_EACCESS) != 0) return {-1, std::strerror(errno)};
+  const bool is_there = ::stat(output.c_str(), &before) == 0;
+  if (Refusal why = may_replace(output)) return {-1, std::move(why)};
   const mode_t mode = is_there ? 0600 : 0666;  // nobody else opens it before it has the rights of the file there
   constexpr int kTries = 100;                  // a file system may give one file several numbers
   for (int tries = 1;; ++tries) {

@@ -24,6 +24,12 @@ enum class Leftover {
   kRefuse,   ///< it holds what nobody can make again
 };
 
+/// May a part take the place of what is there? Where nothing is, it may.
+///
+/// output    its path, behind all symbolic links
+/// returns   why not, without the path
+Refusal may_replace(const std::string& output);
+
 struct OpenPart {
   int file = -1;    ///< empty, for reading and writing; below 0: none is open
   Refusal refusal;  ///< why
@@ -31,7 +37,7 @@ struct OpenPart {
 
 /// Opens a part, which nobody else can open so until it is closed. What is renamed while it is open stays locked. Where there is a file NAME, the part gets
 /// its owner, group, permissions and access control list. What this process may not pass on makes the part less accessible, never more. None is opened if
-/// that file may not be written.
+/// `may_replace` refuses it.
 ///
 /// part      its path, "NAME.part" for an output NAME
 OpenPart open_part(const std::string& part, Leftover leftover);

@@ -122,6 +122,11 @@ TEST(Recorder, WhatAKillLeftOfARecordingStays) {
   std::filesystem::create_directory(patches);
   EXPECT_EQ(bench.recorder->start(bench.path).sentence(), patches + ": cannot be opened: Is a directory; rename or remove it");
   std::filesystem::remove(patches);
+  std::filesystem::create_directory(patches_of(bench.path));
+  EXPECT_EQ(bench.recorder->start(bench.path).sentence(),
+            patches_of(bench.path) + ": patches of the recording could not be written there: it is a folder, a device or a pipe; name " +
+                "the recording otherwise");
+  std::filesystem::remove(patches_of(bench.path));
   EXPECT_EQ(bench.recorder->start(bench.path).sentence(), "");
   std::ofstream(patches) << "of another program";
   const std::vector<std::uint8_t> patch = {1, 2, 3};
@@ -195,11 +200,11 @@ TEST(Recorder, PatchesThatNoTickTakesDoNotFillTheMemory) {
 
 TEST(Recorder, WithoutItsPatchesARecordingIsLost) {
   Bench bench;
-  std::filesystem::create_directory(patches_of(bench.path));  // no file can get that name
   ASSERT_EQ(bench.recorder->start(bench.path).sentence(), "");
   bench.ticks(5, 1);
   bench.recorder->tell_patch(1, std::vector<std::uint8_t>{1});
   moved_tick(bench, 2, 1);
+  std::filesystem::create_directory(patches_of(bench.path));  // no file can get that name
   EXPECT_EQ(bench.recorder->outcome(), Recorder::Outcome::kAsAsked);
   bench.recorder->stop(bench.number);
   EXPECT_EQ(bench.recorder->outcome(), Recorder::Outcome::kLost);

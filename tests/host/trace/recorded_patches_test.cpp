@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <deque>
@@ -174,6 +176,28 @@ TEST(RecordedPatches, WhereTheyHaveNoPlaceTheOldTraceStays) {
       },
       testing::ThrowsMessage<InputError>(HasSubstr("k.patches: the patches of the trace cannot be written: it is a folder")));
   EXPECT_FALSE(finished);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "k.patches.part"));
+}
+
+TEST(RecordedPatches, ThatMayNotBeWrittenStayWithTheirTrace) {
+  const ScratchFolder folder;
+  const std::filesystem::path trace = folder.path() / "k.trace", patches = folder.write("k.patches", "kept");
+  std::filesystem::permissions(patches, std::filesystem::perms::owner_read);
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
+  const pid_t child = ::fork();
+  if (child == 0) {  // who is root may write everything
+    if (::geteuid() == 0 && ::seteuid(65534) != 0) ::_exit(2);
+    try {
+      finish_with_patches(trace, Bytes{1, 2, 3}, [] { ::_exit(3); });
+    } catch (const InputError& error) {
+      ::_exit(std::string(error.what()).ends_with("cannot be written: Permission denied; name the trace otherwise") ? 0 : 4);
+    }
+    ::_exit(1);
+  }
+  int status = -1;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(std::filesystem::file_size(patches), 4U);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "k.patches.part"));
 }
 
