@@ -192,7 +192,8 @@ Replayed replayed(const ReplayOptions& options, const FieldView& field, const tr
 
 void run(const ReplayOptions& options) {
   const field_file::OpenField field = field_file::open_field(options.field);
-  trace::Trace trace = trace::read_trace(options.trace, options.check ? trace::Damaged::kReport : trace::Damaged::kRefuse);
+  const bool looks_at_damage = options.check && options.out.empty();  // a new trace would look as if nothing had been changed
+  trace::Trace trace = trace::read_trace(options.trace, looks_at_damage ? trace::Damaged::kReport : trace::Damaged::kRefuse);
   trace.set_patches(options.patches);
   check_renderer(options, field.view, trace);
   warn(options, field.view, trace);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -56,6 +57,18 @@ TEST(Replay, KeepsThePatchesOfAFieldBesideWhatItWrites) {
   EXPECT_EQ(read_file(folder.path() / "a.patches"), read_file(ISOTOUCH_GOLDEN "/positions_patches.patches"));
   EXPECT_THAT(replay(ISOTOUCH_GOLDEN "/field_1_3.itf " + out + " --check"), testing::HasSubstr("equal to the recorded outputs"));
   EXPECT_THAT(refusal(golden + " -o -"), testing::HasSubstr("write to a file, not to -"));
+}
+
+TEST(Replay, NothingIsWrittenOfARecordingThatWasChanged) {
+  const ScratchFolder folder;
+  std::vector<std::uint8_t> bytes = read_file(ISOTOUCH_GOLDEN "/positions_patches.trace");
+  bytes[bytes.size() - 2 * trace_layout::kRecordBytes + trace_layout::kOutputAt] ^= 1;
+  const std::string changed = folder.write("b.trace", {bytes.begin(), bytes.end()}).string(), out = (folder.path() / "a.trace").string();
+  std::filesystem::copy_file(ISOTOUCH_GOLDEN "/positions_patches.patches", folder.path() / "b.patches");
+  const std::string arguments = ISOTOUCH_GOLDEN "/field_1_3.itf " + changed + " --check";
+  EXPECT_THROW(replay(arguments), ComparisonFailed) << "to look at the damage";
+  EXPECT_THAT(refusal(arguments + " -o " + out), testing::HasSubstr("its bytes were changed after they were recorded"));
+  EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 /// The golden field does not say how its scan was placed, so the mesh is put where the field is.
