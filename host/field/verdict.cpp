@@ -34,7 +34,7 @@ constexpr double kMostStrays = 0.3;
 constexpr double kMostNoise = 0.8;  // spacings
 constexpr double kMostGaps = 0.01;
 constexpr double kMostGapsOfSheet = 0.025;  // what one view sees has shadows
-constexpr double kMostUnseenEnds = 0.0005;  // the mouth of a bottle is 0.001 to 0.01
+constexpr double kMostUnseenEnds = 0.001;   // the mouth of a bottle is 0.0015 to 0.01
 constexpr double kMostUnexplained = 0.4;
 constexpr double kMostSurprising = 0.02;
 constexpr double kLayered = 0.86;      // of `Roughness::layered`, between noise and walls
@@ -354,7 +354,8 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
             " that no points support had to be removed; check the normals and remove strays");
   refuse(verdict.gap_share <= most_gaps && verdict.unseen_end_share > kMostUnseenEnds,
          "the scan sees into a hollow but not to its end near " + cloud::in_brackets(unseen.place.array().round().matrix()) +
-             " mm in the workspace, and nobody knows how large it is; scan its inside, too, or cover its mouth and scan again");
+             " mm in the workspace, and nobody knows how large it is; scan its inside, too, or more densely, or cover its mouth and scan "
+             "again");
   refuse(verdict.reasons.empty() && together > kMostTogether, "several figures are near their limits, above all this: " + above_all);
   if (!verdict.plausible()) {
     const bool is_named = rounded > most_rounded || far > most_rounded;
