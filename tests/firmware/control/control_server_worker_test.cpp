@@ -129,6 +129,7 @@ TEST(ControlServerWorker, AnUploadThatWaitsForItIsNotSlow) {
   measurer.say(Kind::kCalibrate, near_angles());
   while (rig.looked_up == before) std::this_thread::yield();
   ASSERT_TRUE(sender.send(frames.back()));
+  EXPECT_FALSE(has_been_answered(sender, other));
   rig.clock.ahead_ns = 2 * kLong;
   EXPECT_FALSE(has_been_answered(sender, other)) << "it was closed";
   rig.disk_is_busy = false;

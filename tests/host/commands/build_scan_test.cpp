@@ -185,9 +185,9 @@ TEST_F(BuildScan, AnImageThatNobodySawFromTheOriginNeedsAViewpoint) {
     run(build);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(),
-                HasSubstr("give the sensor's place with --viewpoint X Y Z; the image does not look as if its sensor had stood "
-                          "in the origin, and its grid was not used; if it did, give --viewpoint 0 0 0"));
+    EXPECT_THAT(error.what(), HasSubstr("give the sensor's place with --viewpoint X Y Z, or scan all round; if several views were merged, "
+                                        "save the scan with outward normals; the image does not look as if its sensor had stood "
+                                        "in the origin, and its grid was not used; if it did, give --viewpoint 0 0 0"));
   }
   EXPECT_NO_THROW(run(build + " --viewpoint 0 0 500"));
 }
