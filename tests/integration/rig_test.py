@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What tests/integration/rig.py promises to the scripts that use it."""
+"""What rig.py promises to the scripts that use it."""
 
 import contextlib
 import io
@@ -13,9 +13,8 @@ from collections.abc import Callable
 from pathlib import Path
 from unittest import mock
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "integration"))
-import rig as rigs  # noqa: E402
-from rig import Controller, Rig, thread_of  # noqa: E402
+import rig as rigs
+from rig import Controller, Rig, thread_of
 
 HANGS = """
 import sys, time
