@@ -112,7 +112,7 @@ std::optional<link::Histogram> read_timer(int status, const std::string& text, s
 
 std::string eviction_command(double seconds) {
   const std::string s = std::to_string(static_cast<int>(std::ceil(seconds)));
-  return "p=; trap 'kill $p; exit 1' TERM\n"  // `timeout` leaves the group that is ended
+  return "p=; trap 'kill $p $!; exit 1' TERM\n"  // `timeout` leaves the group that is ended; $! may not be in $p yet
          "n=$(nproc 2>/dev/null || echo 1); [ $n -le 8 ] || n=8\n"
          "i=0; while [ $i -lt $n ]; do i=$((i + 1)); nice -n 19 timeout " +
          s + " dd if=/dev/zero of=/dev/null bs=$((64 / n))M 2>/dev/null & p=\"$p $!\"; done; wait";
