@@ -250,7 +250,8 @@ std::optional<Answer> kept_answer(const fs::path& answers, const Recording& reco
   std::vector<Answer> all;
   for (const fs::path& file : files_in(place.differs)) {  // in order, so that everybody says the same
     std::optional<Answer> answer = answer_in(file, recording.expected);
-    if (!answer) throw InputError(file.string() + ": its name is that of an answer that differs, but it holds none; copy it again, or remove it");
+    if (!answer)
+      throw InputError(file.string() + ": its name is that of an answer that differs, but it holds none; copy it again, or remove it");
     all.push_back(std::move(*answer));
   }
   for (const fs::path& file : {place.equal, place.failed}) {

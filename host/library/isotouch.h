@@ -105,10 +105,10 @@ typedef struct isotouch_field_facts {
   double advised_stiffness_n_mm; /**< largest advisable one by its certificate; 0 = it has none */
   double scale;                  /**< workspace = scale × scan + offset; 0: not stated */
   double offset_mm[3];           /**< zeros where scale is 0 */
-  uint32_t samples[3];          /**< along x, y, z */
-  uint32_t interpolation;       /**< #isotouch_interpolation */
-  uint32_t is_published;        /**< 1: levels of the published method, felt by its descent */
-  uint32_t varies_in_stiffness; /**< 1: it has a stiffness for each brick */
+  uint32_t samples[3];           /**< along x, y, z */
+  uint32_t interpolation;        /**< #isotouch_interpolation */
+  uint32_t is_published;         /**< 1: levels of the published method, felt by its descent */
+  uint32_t varies_in_stiffness;  /**< 1: it has a stiffness for each brick */
 } isotouch_field_facts;
 
 /**
