@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "shared/files/c_deleter.h"
-#include "shared/files/is_at.h"
 #include "shared/trace.h"
 
 namespace isotouch::files {
@@ -35,6 +34,13 @@ int descriptor_at(const std::string& path) {
   char* end = nullptr;
   const long number = std::strtol(path.c_str() + name, &end, 10);
   return *end == '\0' && end != path.c_str() + name && number >= 0 && number <= INT_MAX ? static_cast<int>(number) : -1;
+}
+
+/// Does a name still lead to an open file? Between `open` and `flock` another program may have taken it away, or put another one in its place.
+bool is_at(int file, const std::string& path) {
+  struct stat open {
+  }, there{};
+  return ::fstat(file, &open) == 0 && ::stat(path.c_str(), &there) == 0 && open.st_dev == there.st_dev && open.st_ino == there.st_ino;
 }
 
 /// Is it the part of a controller's recording, as far as its writer came? A replay of one looks the same, so it is kept, too.

@@ -42,6 +42,27 @@ bool has_been_answered(const Speaker& speaker, Speaker& other) {
   return ::poll(&one, 1, 0) != 0;
 }
 
+/// Stores angles on a disk that takes its time.
+void begin_slow_work(ControlRig& rig, Speaker& measurer) {
+  rig.disk_is_busy = true;
+  const int before = rig.looked_up;
+  measurer.say(Kind::kCalibrate, near_angles());
+  while (rig.looked_up == before) std::this_thread::yield();
+}
+
+void end_slow_work(ControlRig& rig) {
+  rig.disk_is_busy = false;
+  rig.disk_is_busy.notify_all();
+}
+
+/// Sends so many of an upload's frames, each of which is answered.
+void send_first(Speaker& sender, const std::vector<std::vector<std::uint8_t>>& frames, std::size_t count) {
+  for (const auto& frame : std::span(frames).first(count)) {
+    ASSERT_TRUE(sender.send(frame));
+    sender.hear();
+  }
+}
+
 TEST(ControlServerWorker, WhatNeedsItWaitsUntilItIsIdle) {
   const store::PackedField ball = store::packed_ball(1);
   const struct {
@@ -102,14 +123,10 @@ TEST(ControlServerWorker, WhoeverWaitsForASlowDiskIsNoIdler) {
   rig.calibration.answers("A1");
   Speaker measurer(rig.settings.path), other(rig.settings.path);
   measurer.greet(), other.greet();
-  rig.disk_is_busy = true;
-  const int before = rig.looked_up;
-  measurer.say(Kind::kCalibrate, near_angles());
-  while (rig.looked_up == before) std::this_thread::yield();
+  begin_slow_work(rig, measurer);
   other.say(Kind::kFields);
   std::this_thread::sleep_for(std::chrono::milliseconds(1500));
-  rig.disk_is_busy = false;
-  rig.disk_is_busy.notify_all();
+  end_slow_work(rig);
   EXPECT_EQ(measurer.hear().kind, Kind::kDone);
   EXPECT_EQ(other.hear().kind, Kind::kFieldList);
 }
@@ -120,20 +137,13 @@ TEST(ControlServerWorker, AnUploadThatWaitsForItIsNotSlow) {
   Speaker sender(rig.settings.path), measurer(rig.settings.path), other(rig.settings.path);
   measurer.greet(), other.greet();
   const auto frames = frames_of(store::packed_ball(1), 4096);
-  for (const auto& frame : std::span(frames).first(frames.size() - 1)) {
-    ASSERT_TRUE(sender.send(frame));
-    sender.hear();
-  }
-  rig.disk_is_busy = true;
-  const int before = rig.looked_up;
-  measurer.say(Kind::kCalibrate, near_angles());
-  while (rig.looked_up == before) std::this_thread::yield();
+  send_first(sender, frames, frames.size() - 1);
+  begin_slow_work(rig, measurer);
   ASSERT_TRUE(sender.send(frames.back()));
   EXPECT_FALSE(has_been_answered(sender, other));
   rig.clock.ahead_ns = 2 * kLong;
   EXPECT_FALSE(has_been_answered(sender, other)) << "it was closed";
-  rig.disk_is_busy = false;
-  rig.disk_is_busy.notify_all();
+  end_slow_work(rig);
   EXPECT_EQ(measurer.hear().kind, Kind::kDone);
   EXPECT_EQ(sender.hear().kind, Kind::kRefused) << "the stored angles hold from the next start on, and no field before";
 }
@@ -144,18 +154,11 @@ TEST(ControlServerWorker, AnUploadThatStoppedIsSlowAlsoWhileItWorks) {
   Speaker sender(rig.settings.path), measurer(rig.settings.path), other(rig.settings.path);
   measurer.greet(), other.greet();
   const auto frames = frames_of(store::packed_ball(1), 4096);
-  for (const auto& frame : std::span(frames).first(2)) {  // its greeting, and that it begins
-    ASSERT_TRUE(sender.send(frame));
-    sender.hear();
-  }
-  rig.disk_is_busy = true;
-  const int before = rig.looked_up;
-  measurer.say(Kind::kCalibrate, near_angles());
-  while (rig.looked_up == before) std::this_thread::yield();
+  send_first(sender, frames, 2);  // its greeting, and that it begins
+  begin_slow_work(rig, measurer);
   rig.clock.ahead_ns = 2 * kLong;
   EXPECT_TRUE(has_been_answered(sender, other)) << "it keeps its place";
-  rig.disk_is_busy = false;
-  rig.disk_is_busy.notify_all();
+  end_slow_work(rig);
 }
 
 TEST(ControlServerAnswers, AListOfFieldsEndsWhereAFrameIsFull) {

@@ -122,27 +122,23 @@ TEST(ControlSocket, WhoeverFindsItsFileFindsSomebodyBehindIt) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1) << "it leaves other files";
 }
 
-TEST(ControlSocket, OfTwoThatOpenItAtOnceOneDoes) {
-  const ScratchFolder folder;
+/// One that opens the door at that moment of another one's opening gets it, and the other one is refused.
+void expect_the_quicker_one(const ScratchFolder& folder, std::function<void()>& moment) {
   const std::string path = (folder.path() / "door").string();
   ControlSocket door, quicker;
-  before_listening = [&] { EXPECT_EQ(quicker.open(path, 0600, std::nullopt).sentence(), ""); };
+  moment = [&] { EXPECT_EQ(quicker.open(path, 0600, std::nullopt).sentence(), ""); };
   EXPECT_EQ(door.open(path, 0600, std::nullopt).sentence(), path + ": another program listens there; stop it or choose another path");
   EXPECT_TRUE(knock(path));
   quicker.close();
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
+TEST(ControlSocket, OfTwoThatOpenItAtOnceOneDoes) { expect_the_quicker_one(ScratchFolder(), before_listening); }
+
 TEST(ControlSocket, OfTwoThatReplaceADeadOneAtOnceOneDoes) {
   const ScratchFolder folder;
-  const std::string path = (folder.path() / "door").string();
-  ::close(bound(path, SOCK_STREAM));
-  ControlSocket door, quicker;
-  before_renaming = [&] { EXPECT_EQ(quicker.open(path, 0600, std::nullopt).sentence(), ""); };
-  EXPECT_EQ(door.open(path, 0600, std::nullopt).sentence(), path + ": another program listens there; stop it or choose another path");
-  EXPECT_TRUE(knock(path));
-  quicker.close();
-  EXPECT_TRUE(fs::is_empty(folder.path()));
+  ::close(bound((folder.path() / "door").string(), SOCK_STREAM));
+  expect_the_quicker_one(folder, before_renaming);
 }
 
 TEST(ControlSocket, ThePathMayBeAsLongAsTheSystemLets) {
