@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/field/brick_gradient.h"
@@ -115,11 +116,11 @@ UnseenEnd unseen_end(const BandField& field, const Spacings& spacings) {
   for (std::uint32_t i = 0; i < bricks.size(); ++i) {
     for (int way = 0; way < 13; ++way) {  // of 27 with itself in the middle: those before it
       const Vector3i cell = bricks[i].cell + Vector3i(way % 3 - 1, way / 3 % 3 - 1, way / 9 - 1);
-      const auto before = bricks.begin() + i;
-      const auto other = std::lower_bound(bricks.begin(), before, cell,
+      const auto before = std::span(bricks).first(i);
+      const auto other = std::lower_bound(before.begin(), before.end(), cell,
                                           [](const Unshown& brick, const Vector3i& c) { return sort_key(brick.cell) < sort_key(c); });
-      if (other == before || other->cell != cell) continue;
-      const std::uint32_t a = sets.of(i), b = sets.of(static_cast<std::uint32_t>(other - bricks.begin()));
+      if (other == before.end() || other->cell != cell) continue;
+      const std::uint32_t a = sets.of(i), b = sets.of(static_cast<std::uint32_t>(other - before.begin()));
       if (a != b) sets.join(a, b);
     }
   }
