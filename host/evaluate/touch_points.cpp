@@ -102,6 +102,15 @@ void TouchReader::require_no_friction() const {
                    " is set, which moves the proxy along the surface, so touches do not show where that is; set it to 0 and touch anew");
 }
 
+/// A field that is patched in a tick that was lost cannot be told from another one.
+void TouchReader::require_one_field(const Input& input) {
+  const std::uint32_t loaded = input.field_generation;
+  if (generation_ != 0 && loaded != 0 && loaded != generation_ && (input.requests & kRequestMoved) == 0)
+    throw InputError(name_ +
+                     ": another field was loaded while the hand touched, so the touches are of two objects; touch one of them anew");
+  if (loaded != 0) generation_ = loaded;
+}
+
 void TouchReader::set(const TickSettings& settings) {
   settings_ = settings;
   require_no_friction();
@@ -109,6 +118,7 @@ void TouchReader::set(const TickSettings& settings) {
 
 TouchKind TouchReader::read(const TraceRecord& record, Touch& touch) {
   const Output& out = record.output;
+  require_one_field(record.input);
   if (record.input.change.setting != TickSetting::kNone) {
     RawSettings raw = raw_settings(settings_);
     raw[index_of(record.input.change.setting)] = record.input.change.raw;

@@ -35,7 +35,7 @@ class TouchReader {
   TouchReader(std::string name, const TickSettings& settings, double least_force_n, double wall = 0);
 
   /// touch     gets what a kTouch shows
-  /// fails     InputError: friction is set in this tick
+  /// fails     InputError: friction is set in this tick; another field is felt than before, and it is not the same one, patched
   TouchKind read(const TraceRecord& record, Touch& touch);
 
   /// These settings hold now: changes in lost ticks were not seen.
@@ -52,11 +52,13 @@ class TouchReader {
 
  private:
   void require_no_friction() const;
+  void require_one_field(const Input& input);
 
   std::string name_;
   TickSettings settings_;
   double least_force_n_, wall_;
   std::size_t proxyless_ = 0;
+  std::uint32_t generation_ = 0;  ///< of the field that was felt last; 0: none
 };
 
 struct TouchOptions {
@@ -80,7 +82,7 @@ struct TouchReport {
 /// A touch is one tick. Touches of one place and side are averaged, then an even subset of the places is kept (host/cloud/poisson_disk.h).
 ///
 /// returns   workspace, mm
-/// fails     InputError: no outputs in the trace, friction, no proxies and no stiffness, a stiffness beside proxies, nothing touched
+/// fails     InputError: no outputs in the trace, friction, two fields, no proxies and no stiffness, a stiffness beside proxies, nothing touched
 /// source    Sreeni, "Distance Field based Haptic Rendering of Scattered Oriented Points", section 4
 cloud::OrientedPoints touch_points(const trace::Trace& trace, const TouchOptions& options, TouchReport& report);
 

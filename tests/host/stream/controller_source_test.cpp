@@ -19,10 +19,11 @@ using namespace std::chrono_literals;
 using protocol::Kind, test::Bytes, test::frame;
 
 /// A hand 1 mm below a plane, for that many ticks.
-Bytes records(std::uint64_t first_tick, std::size_t count, SettingChange change = {}) {
+Bytes records(std::uint64_t first_tick, std::size_t count, SettingChange change = {}, std::uint32_t generation = 0) {
   TraceRecord record;
   record.input = position_input({{}, Mm::of(-1), {}});
   record.input.change = change;
+  record.input.field_generation = generation;
   record.output.hip = record.input.hip;
   record.output.force.y = Newton::of(0.5);
   record.output.status = kContact;
@@ -125,6 +126,23 @@ TEST(ControllerSource, TouchesBeforeFrictionWasSetAreGood) {
   ASSERT_TRUE(rest);
   EXPECT_EQ(rest->read().positions.size(), 19U);
   EXPECT_THROW(while (!inbox.is_finished())(void) inbox.take(1s), InputError);
+}
+
+TEST(ControllerSource, TouchesBeforeAnotherFieldAreGood) {
+  const test::Scripted scripted({test::Scripted::says(welcome() + kFrictionless + kFrictionless),
+                                 test::Scripted::says(welcome() + frame(Kind::kDone) + records(100, 20, {}, 3) + records(120, 20, {}, 4))});
+  Inbox inbox;
+  const std::jthread thread = run(controller(scripted.address(), 30), inbox);
+  EXPECT_EQ(inbox.take(10s)->read().positions.size(), 1U) << "of the first tick";
+  const auto rest = inbox.take(10s);
+  ASSERT_TRUE(rest);
+  EXPECT_EQ(rest->read().positions.size(), 19U);
+  try {
+    while (!inbox.is_finished()) (void)inbox.take(1s);
+    ADD_FAILURE() << "touches of two objects are one";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("another field was loaded while the hand touched"), std::string::npos) << error.what();
+  }
 }
 
 TEST(ControllerSource, FrictionThatWasSetInALostTickIsSeen) {

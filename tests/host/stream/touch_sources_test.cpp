@@ -89,6 +89,17 @@ TEST_F(RecordedTouches, FrictionIsRefused) {
   refused("friction_damping is set", write());
 }
 
+TEST_F(RecordedTouches, AnotherFieldIsRefusedAndAPatchedOneIsNot) {
+  const auto generations = [](std::uint8_t requests) {
+    return [requests](std::uint64_t tick, TraceRecord& record) {
+      record.input.field_generation = tick < 50 ? 0 : tick < 200 ? 7 : 8;
+      if (tick == 200) record.input.requests = requests;
+    };
+  };
+  refused("another field was loaded while the hand touched", write(generations(0)), 200);
+  EXPECT_EQ(seen(write(generations(kRequestMoved))).points, kTicks);
+}
+
 TEST_F(RecordedTouches, ForcesWithoutProxiesAreRefused) {
   refused("import it with --stiffness", write([](std::uint64_t, TraceRecord& record) { record.output.proxy = record.output.hip; }));
 }
