@@ -39,10 +39,11 @@ bool are_coded(const std::vector<Vector3d>& normals, double one) {
   return 10 * decoded > 9 * normals.size() && 2 * as_they_are < normals.size();
 }
 
-void refuse_coded(const std::string& name, const Model& model) {
+/// otherwise  what else to do than to decode them; may be empty
+void refuse_coded(const std::string& name, const Model& model, const char* otherwise) {
   for (const auto& [one, how] : {std::pair(1.0, "(n + 1) / 2"), {255.0, "(n + 1) / 2 from 0 to 255"}}) {
     if (are_coded(model.normals, one))
-      throw InputError(name + ": the normals are never negative, but coded as " + how + "; decode them, or choose --normals estimate");
+      throw InputError(name + ": the normals are never negative, but coded as " + how + "; decode them" + otherwise);
   }
 }
 
@@ -215,6 +216,13 @@ double median_spacing(const std::vector<Vector3d>& positions) {
   return median_distance(Tree(3, view, {kOfLeaf}), positions, 1, 4096);
 }
 
+void check_frame(const std::string& name, Model& model) {
+  refuse_coded(name, model, "");
+  for (Vector3d& normal : model.normals) {
+    if (!is_nearly_unit(normal.norm())) normal.setZero();
+  }
+}
+
 OrientedPoints check(const std::string& name, Model model, CloudReport& report) {
   report.format = model.format;
   report.points_read = model.positions.size();
@@ -223,7 +231,7 @@ OrientedPoints check(const std::string& name, Model model, CloudReport& report) 
   report.unused_faces = model.unused_faces;
   if (model.positions.empty()) throw InputError(name + ": there are no points in it");
   report.has_normals = !model.normals.empty();
-  if (report.has_normals) refuse_coded(name, model);
+  if (report.has_normals) refuse_coded(name, model, ", or choose --normals estimate");
   if (!report.has_normals) model.normals.assign(model.positions.size(), Vector3d::Zero());
   make_unit_normals(name, model, report);
   if (report.has_normals) drop_zero_normals(name, model);  // behind what names points by their numbers

@@ -12,4 +12,10 @@ OrientedPoints read_cloud(const SourceFile& file, CloudReport& report, bool with
   return check(file.name(), std::move(model), report);
 }
 
+Model read_frame(const SourceFile& file) {
+  Model model = file.points();
+  check_frame(file.name(), model);
+  return model;
+}
+
 }  // namespace isotouch::cloud

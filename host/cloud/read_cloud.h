@@ -15,4 +15,9 @@ namespace isotouch::cloud {
 /// fails             InputError, one sentence: file, place, what is wrong, what to do
 OrientedPoints read_cloud(const SourceFile& file, CloudReport& report, bool without_normals = false);
 
+/// The same of a frame of a scan that goes on (`check_frame`). Its points may have no normals, and may not be enough for a body.
+///
+/// returns           normals of a length from 1/2 to 2, or zero
+Model read_frame(const SourceFile& file);
+
 }  // namespace isotouch::cloud

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "host/cloud/read_cloud.h"
 #include "host/error.h"
 #include "host/files/whole_file.h"
 #include "host/stream/frame_reader.h"
@@ -40,7 +41,7 @@ Source standard_input(const cloud::SensorOptions& sensor, bool waits) {
         Frame frame{reader.count(),
                     [number = reader.count(), bytes = std::move(*bytes), sensor]() mutable {
                       if (bytes.empty()) return cloud::Model{};  // nothing was seen
-                      return cloud::SourceFile("standard input: frame " + std::to_string(number), std::move(bytes), sensor).points();
+                      return cloud::read_frame({"standard input: frame " + std::to_string(number), std::move(bytes), sensor});
                     },
                     {},
                     is_empty};

@@ -3,6 +3,7 @@
 #include <exception>
 #include <utility>
 
+#include "host/cloud/read_cloud.h"
 #include "host/field/parallel.h"
 #include "host/files/whole_file.h"
 
@@ -14,7 +15,9 @@ Source files(std::vector<std::filesystem::path> files, std::optional<double> rat
     std::uint64_t number = 0;
     for (const std::filesystem::path& file : files) {
       Frame frame{++number,
-                  [file, bytes = read_file(file), sensor]() mutable { return cloud::SourceFile(file, std::move(bytes), sensor).points(); },
+                  [file, bytes = read_file(file), sensor]() mutable {
+                    return cloud::read_frame({file, std::move(bytes), sensor});
+                  },
                   {}};
       if (rate && !inbox.wait_until(begin + std::chrono::duration_cast<Clock::duration>(
                                                 std::chrono::duration<double>(static_cast<double>(number - 1) / *rate)))) {

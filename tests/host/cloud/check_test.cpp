@@ -276,5 +276,30 @@ TEST(Check, AStiffnessThatNoSurfaceHasIsRefusedWithItsPlace) {
   EXPECT_EQ(check("cloud.ply", model, report).stiffness[41], 100.0);
 }
 
+TEST(CheckFrame, NormalsFarFromUnitLengthCountAsNone) {
+  Model model = model_of(sample_shape(shape("sphere"), 100, 1));
+  const std::vector<Vector3d> before = model.normals;
+  model.normals[3] *= 0.4;
+  model.normals[4] *= 3.0;
+  model.normals[5] *= 1e-7;
+  model.normals[6] *= 1.9;
+  check_frame("frame", model);
+  for (const std::size_t none : {std::size_t{3}, std::size_t{4}, std::size_t{5}}) EXPECT_EQ(model.normals[none], Vector3d(0, 0, 0));
+  EXPECT_EQ(model.normals[6], 1.9 * before[6]);
+  EXPECT_EQ(model.normals[7], before[7]);
+  model.normals.clear();
+  check_frame("frame", model);  // it may have none
+}
+
+TEST(CheckFrame, CodedNormalsAreRefused) {
+  for (const double one : {1.0, 255.0}) {
+    Model model = model_of(sample_shape(shape("sphere"), 100, 1));
+    for (Vector3d& normal : model.normals) normal = one / 2 * (normal + Vector3d::Ones());
+    EXPECT_THROW(check_frame("frame", model), InputError) << one;
+  }
+  Model single{"test", {Vector3d(1, 2, 3)}, {Vector3d(0.6, 0.0, 0.8)}, {}, {}};
+  EXPECT_NO_THROW(check_frame("frame", single));
+}
+
 }  // namespace
 }  // namespace isotouch::cloud
