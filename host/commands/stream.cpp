@@ -95,6 +95,14 @@ FrameSource kind_of(const StreamingOptions& options) {
   return FrameSource::kFiles;
 }
 
+/// Do two names lead to one file, which may not be there yet?
+bool is_one_file(const fs::path& a, const fs::path& b) {
+  if (a == b || b.empty() || is_standard(b)) return a == b;
+  std::error_code failed;  // then a place is empty
+  const auto place = [&failed](const fs::path& file) { return fs::weakly_canonical(fs::absolute(file, failed), failed); };
+  return !place(a).empty() && place(a) == place(b);
+}
+
 /// What stays alive as long as a source.
 struct Scene {
   std::optional<cloud::TriangleMesh> mesh;
@@ -166,6 +174,8 @@ void close(stream::Stream& of, const StreamingOptions& options) {
   } else {
     print_summary(of, hash, !options.stream.to.empty(), text_stream(options.out));
   }
+  if (of.report().had_stiffness)
+    std::fprintf(stderr, "isotouch: the live method has one stiffness for all, those of the points are left out\n");
   for (const std::string& reason : of.field()->verdict().reasons())
     std::fprintf(stderr, "isotouch: the field may be wrong: %s\n", reason.c_str());
 }
@@ -228,8 +238,8 @@ std::string nothing_of_frames(FrameSource kind, const stream::StreamReport& repo
   if (report.thinned > 0 && kind == FrameSource::kFiles) thinned += ", so leave out --rate";
   return "no frame had points with normals within the box, so nothing was built: of " + std::to_string(all.frames) + " frames " +
          std::to_string(all.empty) + " were empty and " + std::to_string(all.unoriented) + " without normals, " +
-         std::to_string(all.points.outside) + " points lay outside the box, and " + std::to_string(all.points.useless) + " had no normal" +
-         thinned + "; check the normals, --box and --units";
+         std::to_string(all.points.outside) + " points lay outside the box, and " + std::to_string(all.points.useless) +
+         " had no normal of about length 1" + thinned + "; check the normals, --box and --units";
 }
 
 /// Why there is no field.
@@ -352,7 +362,7 @@ void add_stream(CLI::App& app) {
   command->callback([options, intrinsics, to, name, fit] {
     if (to->count() == 0 && options->out.empty()) throw CLI::ValidationError("--to", "name a controller, or a file with -o, or both");
     if (is_standard(options->first)) throw CLI::ValidationError("--first", "it is written while the stream runs; name a file");
-    if (!options->first.empty() && options->first == options->out)
+    if (!options->first.empty() && is_one_file(options->first, options->out))
       throw CLI::ValidationError("--first", "-o would write over it at the end; name another file");
     if (!options->first.empty() && to->count() == 0) throw CLI::ValidationError("--first", "nothing is uploaded without --to");
     if (name->count() > 0 && to->count() == 0) throw CLI::ValidationError("--name", "nothing is uploaded without --to");

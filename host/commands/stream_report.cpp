@@ -46,6 +46,7 @@ nlohmann::ordered_json summary_json(const stream::Stream& of, const std::string&
           {"patches", all.patches},
           {"patch_bytes", quantiles_json(report.patch_bytes.quantiles())},
           {"sent_bytes", report.upload_bytes + all.patch_bytes},
+          {"fault", of.fault()},
           {"delay_ms", quantiles_json(all.delay_ms.quantiles())},
           {"read_ms", quantiles_json(report.read_ms.quantiles())},
           {"grow_ms", quantiles_json(report.grow_ms.quantiles())},
@@ -77,8 +78,10 @@ void print_summary(const stream::Stream& of, const std::string& field_hash, bool
     std::fprintf(to, "sent          %llu bytes for the first field, %llu patches of %.0f bytes (99 %% at most %.0f)\n",
                  static_cast<unsigned long long>(report.upload_bytes), static_cast<unsigned long long>(all.patches), bytes.median,
                  bytes.p99);
-    std::fprintf(to, "delay         %.1f ms from a frame to the hand, 99 %% at most %.1f ms, the longest %.1f ms\n", delay.median,
-                 delay.p99, delay.max);
+    if (delay.count > 0)
+      std::fprintf(to, "delay         %.1f ms from a frame to the hand, 99 %% at most %.1f ms, the longest %.1f ms\n", delay.median,
+                   delay.p99, delay.max);
+    if (!of.fault().empty()) std::fprintf(to, "state         %s\n", of.fault().c_str());
     if (all.refused_s > 0) std::fprintf(to, "refused       patches for %.1f s, which the delay counts\n", all.refused_s);
   }
   std::fprintf(to, "field         hash %s\n", field_hash.c_str());

@@ -132,6 +132,7 @@ void Stream::work_on(const Frame& frame) {
       ++tally->unoriented;
     }
   }
+  report_.had_stiffness = report_.had_stiffness || !model.stiffness.empty();
   live::face_sensor({options_.viewpoint, model.sensor.place, model.edges.has_value()}, model.positions, model.normals);
   report_.read_ms.add(ms_since(begin));
   if (!field_ && !this->begin(model)) return;

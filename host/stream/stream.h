@@ -58,6 +58,7 @@ struct StreamReport {
   Classes read_ms{10}, grow_ms{10}, patch_ms{10}, controller_ms{10};  ///< the parts of the delay, behind the wait for the frame before
   Classes patch_bytes{0.01};
   double seconds = 0;
+  bool had_stiffness = false;  ///< points of it, which a live field leaves out
 };
 
 class Stream {
