@@ -103,12 +103,11 @@ void TouchReader::require_no_friction() const {
 }
 
 /// A field that is patched in a tick that was lost cannot be told from another one.
-void TouchReader::require_one_field(const Input& input) {
+void TouchReader::follow_field(const Input& input) {
   const std::uint32_t loaded = input.field_generation;
-  if (generation_ != 0 && loaded != 0 && loaded != generation_ && (input.requests & kRequestMoved) == 0)
-    throw InputError(name_ +
-                     ": another field was loaded while the hand touched, so the touches are of two objects; touch one of them anew");
-  if (loaded != 0) generation_ = loaded;
+  if (loaded == 0) return;
+  is_another_ = is_another_ || (has_touched_ && generation_ != 0 && loaded != generation_ && (input.requests & kRequestMoved) == 0);
+  generation_ = loaded;
 }
 
 void TouchReader::set(const TickSettings& settings) {
@@ -118,7 +117,7 @@ void TouchReader::set(const TickSettings& settings) {
 
 TouchKind TouchReader::read(const TraceRecord& record, Touch& touch) {
   const Output& out = record.output;
-  require_one_field(record.input);
+  follow_field(record.input);
   if (record.input.change.setting != TickSetting::kNone) {
     RawSettings raw = raw_settings(settings_);
     raw[index_of(record.input.change.setting)] = record.input.change.raw;
@@ -136,6 +135,10 @@ TouchKind TouchReader::read(const TraceRecord& record, Touch& touch) {
     if (!(wall_ > 0)) return TouchKind::kUnfit;
     way = force / wall_;
   }
+  if (is_another_)
+    throw InputError(name_ +
+                     ": another field was loaded while the hand touched, so the touches are of two objects; touch one of them anew");
+  has_touched_ = true;
   touch = {to_double(out.hip) + way, way.normalized()};
   return TouchKind::kTouch;
 }

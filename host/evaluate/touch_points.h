@@ -35,7 +35,7 @@ class TouchReader {
   TouchReader(std::string name, const TickSettings& settings, double least_force_n, double wall = 0);
 
   /// touch     gets what a kTouch shows
-  /// fails     InputError: friction is set in this tick; another field is felt than before, and it is not the same one, patched
+  /// fails     InputError: friction is set in this tick; another field is touched than before, and it is not the same one, patched
   TouchKind read(const TraceRecord& record, Touch& touch);
 
   /// These settings hold now: changes in lost ticks were not seen.
@@ -52,13 +52,15 @@ class TouchReader {
 
  private:
   void require_no_friction() const;
-  void require_one_field(const Input& input);
+  void follow_field(const Input& input);
 
   std::string name_;
   TickSettings settings_;
   double least_force_n_, wall_;
   std::size_t proxyless_ = 0;
-  std::uint32_t generation_ = 0;  ///< of the field that was felt last; 0: none
+  std::uint32_t generation_ = 0;  ///< of the field that was loaded last; 0: none
+  bool has_touched_ = false;
+  bool is_another_ = false;  ///< the field that is loaded, than the one that was touched
 };
 
 struct TouchOptions {

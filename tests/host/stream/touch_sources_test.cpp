@@ -98,6 +98,11 @@ TEST_F(RecordedTouches, AnotherFieldIsRefusedAndAPatchedOneIsNot) {
   };
   refused("another field was loaded while the hand touched", write(generations(0)), 200);
   EXPECT_EQ(seen(write(generations(kRequestMoved))).points, kTicks);
+  const auto touched_late = [](std::uint64_t tick, TraceRecord& record) {
+    record.input.field_generation = tick < 50 ? 7 : 8;
+    if (tick < 60) record.output.status = 0;
+  };
+  EXPECT_EQ(seen(write(touched_late)).points, kTicks - 60) << "nothing was touched of the first field";
 }
 
 TEST_F(RecordedTouches, ForcesWithoutProxiesAreRefused) {
