@@ -1,6 +1,7 @@
 #include "host/board_commands/run.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -183,6 +184,7 @@ int answer(const char* program, const char* about, void (*add)(CLI::App& app), i
 
 int run(const char* program, const char* about, void (*add)(CLI::App& app), int argc, char** argv) {
   files::occupy_standard_descriptors();
+  std::signal(SIGXFSZ, SIG_IGN);  // the write says that the file grows beyond the limit (ulimit -f)
   link::tool_name() = program;
   const int code = answer(program, about, add, argc, argv);
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;

@@ -143,12 +143,13 @@ bool bring_back(const ImportOptions& options) {
   if (!trace.damage().empty()) throw cannot(trace.damage());
   if (!trace.cut_off().empty())
     std::fprintf(stderr, "isotouch: %s: %s\n", options.source.string().c_str(), without_path(trace.cut_off(), looked_at).c_str());
+  std::optional<std::vector<std::uint8_t>> patches;
   try {
-    (void)trace::patch_bytes(trace);  // are they there?
+    patches = trace::patches_for(options.trace.out, trace);
   } catch (const InputError& error) {
-    throw cannot(error.what());
+    if (!found->patches) throw cannot("its field was patched, and the patches are not there");
+    throw InputError(options.source.string() + ": " + without_path(error.what(), looked_at));
   }
-  const std::optional<std::vector<std::uint8_t>> patches = trace::patches_for(options.trace.out, trace);
   trace::finish_with_patches(options.trace.out, patches, [&] { write_file(options.trace.out, found->trace.data(), found->trace.size()); });
   std::fprintf(stderr, "%s: the trace that %s holds, to the bit\n", options.trace.out.string().c_str(), options.source.string().c_str());
   return true;

@@ -37,7 +37,8 @@ TEST_F(TraceInABag, ComesBackWithThePatchesOfItsField) {
   run_command("trace import " + file("felt.mcap") + " -o " + file("back.trace"));
   EXPECT_EQ(read_file(file("back.trace")), read_file(file("felt.trace")));
   EXPECT_EQ(read_file(file("back.patches")), read_file(file("felt.patches")));
-  EXPECT_NE(complaint_on("trace import " + file("felt.mcap") + " -o -").find("write to a file, not to -"), std::string::npos);
+  EXPECT_EQ(complaint_on("trace import " + file("felt.mcap") + " -o -"),
+            file("felt.mcap") + ": its field was patched, and the patches belong into a file beside the trace; write to a file, not to -");
   std::filesystem::remove(file("felt.patches"));
   EXPECT_NE(complaint_on("trace export " + file("felt.trace") + " -o " + file("no.mcap")).find("felt.patches is not there"),
             std::string::npos);
@@ -65,6 +66,11 @@ TEST_F(TraceInABag, WhatIsWrongWithItIsSaidOfTheFileThatWasNamed) {
   ::testing::internal::CaptureStderr();
   run_command(attach("cut.mcap"));
   EXPECT_EQ(::testing::internal::GetCapturedStderr().find("isotouch: " + file("cut.mcap") + ": the recording was cut off; it holds "), 0U);
+  trace = read_file(ISOTOUCH_GOLDEN "/positions_patches.trace");
+  EXPECT_EQ(
+      complaint_on(attach("alone.mcap")),
+      file("alone.mcap") +
+          ": the trace that it holds cannot be read (its field was patched, and the patches are not there); choose a topic with --topic");
 }
 
 TEST_F(TraceInABag, AnOptionForAnotherKindOfSourceIsRefused) {
