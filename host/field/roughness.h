@@ -10,9 +10,11 @@ struct Roughness {
   double of_positions = 0;  ///< standard deviation from paraboloids through positions alone: noise, or detail finer than the spacing
   double of_pairs = 0;      ///< standard deviation from the circles that two samples' normals describe: noise of positions, or of normals
   double of_no_step = 0;    ///< of pairs, extrapolated to a distance of zero: noise of positions alone
-  double of_normals = 0;    ///< deviation of a normal from its direction, radians: from pairs, extrapolated to a distance of zero
-  double tilt = 0;          ///< sine of the angle between normals and those of the paraboloids, the median
-  double spacing = 0;       ///< median distance to the nearest sample
+  /// Deviation of a normal from its direction, radians: from pairs, extrapolated to a distance of zero. At most what the circles of near pairs show:
+  /// normals that agree are right, however far they turn from one sample to the next.
+  double of_normals = 0;
+  double tilt = 0;     ///< sine of the angle between normals and those of the paraboloids, the median
+  double spacing = 0;  ///< median distance to the nearest sample
   /// Mean size over root mean square of the samples' heights over their paraboloids, each in standard deviations: 0.82 in normal noise, 0.84 where every
   /// height is as likely, 0.88 to 0.99 where the samples are those of two sheets closer to each other than the samples are.
   double layered = 0;

@@ -88,5 +88,31 @@ TEST(Roughness, MeasuresTheNoiseOfNormalsBetweenDetail) {
   }
 }
 
+/// A rod's side with points at random places, six of them round it and all with exact normals: the far normals turn by no more than the near ones.
+OrientedPoints thin_rod() {
+  const double pi = std::acos(-1.0), length = 60;
+  const auto count = static_cast<std::size_t>(36 * length / (2 * pi));
+  OrientedPoints points;
+  cloud::Random random(7);
+  while (points.size() < count) {
+    const double angle = random.uniform(-pi, pi), along = random.uniform(0, length);
+    points.normals.emplace_back(std::cos(angle), std::sin(angle), 0);
+    points.positions.push_back(points.normals.back() + along * Vector3d::UnitZ());
+  }
+  return points;
+}
+
+TEST(Roughness, NormalsThatTurnRoundAThinRodAreNoNoise) {
+  const OrientedPoints clean = thin_rod();
+  const double spacing = cloud::median_spacing(clean.positions);
+  EXPECT_LT(of(clean, spacing).of_normals, 0.001);
+  for (const double tilt : {0.1, 0.25, 0.4}) {
+    OrientedPoints points = clean;
+    cloud::Random random(2);
+    for (Vector3d& n : points.normals) n = (n + tilt * scatter(random)).normalized();
+    EXPECT_NEAR(of(std::move(points), spacing).of_normals, std::sqrt(2.0) * tilt, 0.4 * tilt) << tilt;
+  }
+}
+
 }  // namespace
 }  // namespace isotouch::field
