@@ -22,54 +22,51 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-// By trial of 2026-11 on bottles seen from outside, and on 16 real scans.
+// By trial of 2026-11 on vessels of all kinds seen from outside, on complete scans with bores, pockets and teeth, and on 15 real scans.
 constexpr std::size_t kAround = 8;  // points that may show a place
 constexpr double kItsWay = 0.5;     // cosine: a point whose normal is nearer to the surface's shows it
-constexpr double kFarthest = 1.0;   // distances to the sixth neighbour, at one place of the piece
-constexpr double kAllRound = 0.2;   // middle eigenvalue of the normals' squares: of a tube 0.4 and more, of the two faces of a wall 0.1
-constexpr double kLeaning = 0.5;    // length of the mean normal: of a tube 0.3 at most, of a hole in a face 0.7 and more
-constexpr double kAlong = 0.4;      // mean cosine to the piece's normal
-constexpr double kLooks = 0.5;      // cosine, from a point to the piece's middle
-constexpr std::size_t kFewest = 6;  // points that look at it
+constexpr double kMissing = 3.0;    // points that the piece would have, had it been seen
+constexpr double kAllRound = 0.25;  // middle eigenvalue of the normals' squares: of a tube 0.28 and more, of the two faces of a wall 0.1
+constexpr double kAxis = 0.12;      // least eigenvalue: of a tube 0.11 at most, between teeth 0.13 and more
+constexpr double kLeaning = 0.55;   // length of the mean normal: of a tube 0.54 at most, of a hole in a face 0.62 and more
+constexpr double kLooks = 0.5;      // cosine, from a point to the piece's middle, both seen along the tube
+constexpr std::size_t kFewest = 8;  // points that look at it
 
 /// Surface that no point shows: of a brick, then of all bricks that hang together.
 struct Unshown {
   Vector3i cell;
-  std::size_t samples = 0;  ///< beside the surface
-  double farthest = 0;      ///< from the nearest point, in distances from there to its sixth neighbour
-  Vector3d place = Vector3d::Zero(), outward = Vector3d::Zero();  ///< sums
-  std::vector<std::uint32_t> around = {};                         ///< points
+  std::size_t samples = 0;                 ///< beside the surface
+  Vector3d place = Vector3d::Zero();       ///< sum
+  std::vector<std::uint32_t> around = {};  ///< points
 
   void add(const Unshown& other) {
     samples += other.samples;
-    farthest = std::max(farthest, other.farthest);
     place += other.place;
-    outward += other.outward;
     around.insert(around.end(), other.around.begin(), other.around.end());
   }
   Vector3d middle() const { return place / static_cast<double>(samples); }
 };
 
-bool closes_hollow(Unshown& piece, const cloud::OrientedPoints& points) {
-  if (piece.farthest < kFarthest) return false;
+/// part      of a sample beside the surface in all of it
+bool closes_hollow(Unshown& piece, const cloud::OrientedPoints& points, double part) {
+  if (static_cast<double>(piece.samples) * part * static_cast<double>(points.size()) < kMissing) return false;
   std::sort(piece.around.begin(), piece.around.end());
   piece.around.erase(std::unique(piece.around.begin(), piece.around.end()), piece.around.end());
-  const Vector3d outward = piece.outward.normalized(), middle = piece.middle();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   Vector3d sum = Vector3d::Zero();
-  double along = 0.0;
-  std::size_t looking = 0;
   for (const std::uint32_t p : piece.around) {
-    const Vector3d& normal = points.normals[p];
-    squares += normal * normal.transpose();
-    sum += normal;
-    along += std::abs(normal.dot(outward));
-    const Vector3d way = middle - points.positions[p];
-    looking += normal.dot(way) > kLooks * way.norm() ? 1U : 0U;
+    squares += points.normals[p] * points.normals[p].transpose();
+    sum += points.normals[p];
   }
   const auto count = static_cast<double>(piece.around.size());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares / count, Eigen::EigenvaluesOnly);
-  return solver.eigenvalues()[1] > kAllRound && sum.norm() < kLeaning * count && along < kAlong * count && looking >= kFewest;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares / count);
+  if (solver.eigenvalues()[0] > kAxis || solver.eigenvalues()[1] < kAllRound || sum.norm() > kLeaning * count) return false;
+  const Vector3d axis = solver.eigenvectors().col(0), middle = piece.middle();
+  const auto looking = std::count_if(piece.around.begin(), piece.around.end(), [&](std::uint32_t p) {
+    const Vector3d way = middle - points.positions[p], across = way - axis.dot(way) * axis;
+    return points.normals[p].dot(across) > kLooks * across.norm();
+  });
+  return static_cast<std::size_t>(looking) >= kFewest;
 }
 
 }  // namespace
@@ -101,8 +98,6 @@ UnseenEnd unseen_end(const BandField& field, const Spacings& spacings) {
         Unshown& here = bricks[b];
         ++here.samples;
         here.place += place;
-        here.outward += outward;
-        here.farthest = std::max(here.farthest, std::sqrt(found[0].squared_distance) / spacings.at(found[0].index, room));
         for (const Neighbour& n : found) here.around.push_back(n.index);
       }
     }
@@ -129,7 +124,7 @@ UnseenEnd unseen_end(const BandField& field, const Spacings& spacings) {
   UnseenEnd result;
   std::size_t closing = 0, largest = 0;
   for (Unshown& piece : pieces) {
-    if (piece.samples == 0 || !closes_hollow(piece, points)) continue;
+    if (piece.samples == 0 || !closes_hollow(piece, points, 1.0 / static_cast<double>(all))) continue;
     closing += piece.samples;
     if (piece.samples <= largest) continue;
     largest = piece.samples;

@@ -16,9 +16,9 @@ struct UnseenEnd {
 /// Through its mouth a hollow shows the beginning of its wall. The field closes it somewhere behind, and nobody knows how far it goes on or how wide
 /// it becomes. A piece of surface closes one when of the points round it
 ///
-/// - none near it looks its way, and at one place the nearest is so far away that, as dense as they are, six would lie nearer if the end had been seen;
-/// - the normals point all round, and hardly along the piece's own: they are the wall of a tube;
-/// - some look at it: from behind, the end of a limb looks alike.
+/// - none near it looks its way, though as dense as all are together, three would lie on it;
+/// - the normals point all round, and hardly along one axis: they are the wall of a tube;
+/// - seen along that axis, some look at it: from behind, the end of a limb looks alike.
 ///
 /// spacings  of the points from which `field` was built; workspace, mm
 UnseenEnd unseen_end(const BandField& field, const Spacings& spacings);

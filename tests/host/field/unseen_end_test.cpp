@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/field/parallel.h"
 #include "host/field/scan_field.h"
 
 namespace isotouch::field {
@@ -86,6 +87,141 @@ TEST(UnseenEnd, IsNoneOfAHoleInAFaceOrOfTheEndOfALimb) {
   OrientedPoints limb = hole;
   revolve(limb, {5, 20}, {5, 32});
   EXPECT_EQ(unseen_end_of(limb).share, 0);
+}
+
+/// The field of a bore with its end, and points that differ: what its wall looks like decides.
+constexpr Bored kBore{3.5, 8, true};
+
+const BandField& bore() {
+  static const BandField field = [] {
+    Progress progress;
+    return built_scan(sound_scan(scan_of(kBore)), 0.6, kBand, progress).field;
+  }();
+  return field;
+}
+
+/// Points on the bore's wall above its end, which has none, and on the outside.
+///
+/// normal    (number, angle) → of one of the kLowest points just over the end; alone they say whether it closes a hollow. Those above look inward
+/// others    more points
+/// count     of all points, at most; those outside are thinned
+constexpr int kLowest = 48;
+Vector3d inward(double angle) { return {-std::cos(angle), -std::sin(angle), 0}; }
+template <typename Normal>
+double share_of_wall(const Normal& normal, OrientedPoints points = {}, std::size_t count = 10'000) {
+  const auto ring = [&](double height, int around, const auto& normal_of) {
+    for (int k = 0; k < around; ++k) {
+      const double angle = 2 * M_PI * k / around;
+      points.positions.emplace_back(kBore.radius * -inward(angle) + (20 - kBore.seen + height) * Vector3d::UnitZ());
+      points.normals.push_back(normal_of(k, angle));
+    }
+  };
+  ring(0.6, kLowest, normal);
+  for (const double height : {3.2, 4.4, 5.6, 6.8}) ring(height, 24, [](int, double angle) { return inward(angle); });
+  const OrientedPoints outside = scan_of({kBore.radius, 0});
+  const std::size_t step = 1 + (outside.size() - 1) / (count - points.size());
+  for (std::size_t i = 0; i < outside.size(); i += step) {
+    points.positions.push_back(outside.positions[i]);
+    points.normals.push_back(outside.normals[i]);
+  }
+  return unseen_end(bore(), Spacings(points)).share;
+}
+
+TEST(UnseenEnd, HasNormalsThatCancelEachOther) {
+  const auto within = [](double degrees) { return share_of_wall([&](int, double angle) { return inward(angle * degrees / 360); }); };
+  EXPECT_GT(within(360), 0.003);
+  EXPECT_GT(within(240), 0.003) << "their mean has a length of 0.41";
+  EXPECT_EQ(within(185), 0) << "0.62, as round a hole in a face";
+}
+
+TEST(UnseenEnd, HasNormalsInAllDirectionsRoundIt) {
+  const auto across = [](int of_ten) {  // so many along y, the others along x
+    return share_of_wall([&](int number, double angle) {
+      const Vector3d own = inward(angle);
+      return number * 7 % 10 < of_ten ? Vector3d(0, own.y() > 0 ? 1 : -1, 0) : Vector3d(own.x() > 0 ? 1 : -1, 0, 0);
+    });
+  };
+  EXPECT_GT(across(5), 0.003);
+  EXPECT_GT(across(3), 0.003);
+  EXPECT_EQ(across(2), 0) << "two faces of a slot";
+}
+
+TEST(UnseenEnd, HasNormalsAcrossAnAxis) {
+  const auto tilted = [](double square) {
+    return share_of_wall([&](int number, double angle) {
+      const double side = number % 2 == 0 ? 1 : -1;
+      return Vector3d(std::sqrt(1 - square) * inward(angle) + side * std::sqrt(square) * Vector3d::UnitZ());
+    });
+  };
+  EXPECT_GT(tilted(0.09), 0.003);
+  EXPECT_EQ(tilted(0.16), 0) << "as between teeth";
+}
+
+TEST(UnseenEnd, IsLookedAt) {
+  const auto looking = [](int count) {  // the others have their backs to it, as at the end of a limb
+    return share_of_wall([&](int number, double angle) { return Vector3d((number * 7 % kLowest < count ? 1 : -1) * inward(angle)); });
+  };
+  EXPECT_GT(looking(10), 0.003);
+  EXPECT_EQ(looking(6), 0);
+  const auto turned = [](double cosine) { return share_of_wall([&](int, double angle) { return inward(angle + std::acos(cosine)); }); };
+  EXPECT_GT(turned(0.65), 0.003);
+  EXPECT_EQ(turned(0.4), 0);
+}
+
+TEST(UnseenEnd, IsShownByAPointThatLooksItsWay) {
+  const auto one_in_the_middle = [](double cosine) {
+    OrientedPoints one;
+    one.positions.emplace_back(0, 0, 20 - kBore.seen);
+    one.normals.emplace_back(std::sqrt(1 - cosine * cosine), 0, cosine);
+    return share_of_wall([](int, double angle) { return inward(angle); }, one);
+  };
+  const double whole = one_in_the_middle(-1);
+  EXPECT_EQ(one_in_the_middle(0.4), whole);
+  EXPECT_LT(one_in_the_middle(0.65), 0.9 * whole);
+}
+
+TEST(UnseenEnd, WouldHaveThreePoints) {
+  const auto of_points = [](std::size_t count) { return share_of_wall([](int, double angle) { return inward(angle); }, {}, count); };
+  EXPECT_GT(of_points(660), 0.001) << of_points(660);
+  EXPECT_EQ(of_points(330), 0);
+}
+
+/// A bottle's mouth that is three spacings wide: what closes it is no plane.
+OrientedPoints bottle() {
+  OrientedPoints points;
+  revolve(points, {0, -20}, {16, -20});
+  revolve(points, {16, -20}, {16, 8});
+  revolve(points, {16, 8}, {3, 14});
+  revolve(points, {3, 14}, {3, 22});
+  revolve(points, {3, 22}, {1.8, 22});
+  revolve(points, {1.8, 22}, {1.8, 17});
+  return points;
+}
+
+TEST(UnseenEnd, OfANarrowMouthIsFound) {
+  const UnseenEnd end = unseen_end_of(bottle());
+  EXPECT_GT(end.share, 0.0002);
+  EXPECT_LT(end.place.head<2>().norm(), 1.8);
+}
+
+TEST(UnseenEnd, IsTheSameOnEveryThreadAndInEveryOrder) {
+  const OrientedPoints points = scan_of({5, 8});
+  const SoundScan sound = sound_scan(points);
+  Progress progress;
+  const BandField field = built_scan(sound, 0.6, kBand, progress).field;
+  const auto end_of = [&](unsigned threads, const OrientedPoints& of) {
+    const ThreadLimit limit(threads);
+    return unseen_end(field, Spacings(of));
+  };
+  const UnseenEnd one = end_of(1, points), many = end_of(7, points);
+  EXPECT_GT(one.share, 0.001);
+  EXPECT_EQ(one.share, many.share);
+  EXPECT_EQ(one.place, many.place);
+  OrientedPoints turned = points;
+  std::reverse(turned.positions.begin(), turned.positions.end());
+  std::reverse(turned.normals.begin(), turned.normals.end());
+  EXPECT_EQ(one.share, end_of(1, turned).share);
+  EXPECT_EQ(one.place, end_of(1, turned).place);
 }
 
 TEST(UnseenEnd, RefusesTheField) {
