@@ -28,8 +28,9 @@ constexpr double kItsWay = 0.5;     // cosine: a point whose normal is nearer to
 constexpr double kMissing = 3.0;    // points that the piece would have, had it been seen
 constexpr double kAllRound = 0.25;  // middle eigenvalue of the normals' squares: of a tube 0.28 and more, of the two faces of a wall 0.1
 constexpr double kAxis = 0.12;      // least eigenvalue: of a tube 0.11 at most, between teeth 0.13 and more
-constexpr double kLeaning = 0.55;   // length of the mean normal: of a tube 0.54 at most, of a hole in a face 0.62 and more
-constexpr double kLooks = 0.5;      // cosine, from a point to the piece's middle, both seen along the tube
+constexpr double kLarge = 20.0;    // missing points: a piece that has more may be seen to its floor's rim, whose normals lie along the axis
+constexpr double kLeaning = 0.55;  // length of the mean normal: of a tube 0.54 at most, of a hole in a face 0.62 and more
+constexpr double kLooks = 0.5;     // cosine, from a point to the piece's middle, both seen along the tube
 constexpr std::size_t kFewest = 8;  // points that look at it
 
 /// Surface that no point shows: of a brick, then of all bricks that hang together.
@@ -49,7 +50,8 @@ struct Unshown {
 
 /// part      of a sample beside the surface in all of it
 bool closes_hollow(Unshown& piece, const cloud::OrientedPoints& points, double part) {
-  if (static_cast<double>(piece.samples) * part * static_cast<double>(points.size()) < kMissing) return false;
+  const double missing = static_cast<double>(piece.samples) * part * static_cast<double>(points.size());
+  if (missing < kMissing) return false;
   std::sort(piece.around.begin(), piece.around.end());
   piece.around.erase(std::unique(piece.around.begin(), piece.around.end()), piece.around.end());
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
@@ -60,7 +62,8 @@ bool closes_hollow(Unshown& piece, const cloud::OrientedPoints& points, double p
   }
   const auto count = static_cast<double>(piece.around.size());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares / count);
-  if (solver.eigenvalues()[0] > kAxis || solver.eigenvalues()[1] < kAllRound || sum.norm() > kLeaning * count) return false;
+  if (solver.eigenvalues()[0] > kAxis && missing < kLarge) return false;
+  if (solver.eigenvalues()[1] < kAllRound || sum.norm() > kLeaning * count) return false;
   const Vector3d axis = solver.eigenvectors().col(0), middle = piece.middle();
   const auto looking = std::count_if(piece.around.begin(), piece.around.end(), [&](std::uint32_t p) {
     const Vector3d way = middle - points.positions[p], across = way - axis.dot(way) * axis;

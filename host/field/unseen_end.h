@@ -17,7 +17,7 @@ struct UnseenEnd {
 /// it becomes. A piece of surface closes one when of the points round it
 ///
 /// - none near it looks its way, though as dense as all are together, three would lie on it;
-/// - the normals point all round, and hardly along one axis: they are the wall of a tube;
+/// - the normals point all round, and hardly along one axis, unless twenty are missing: they are the wall of a tube;
 /// - seen along that axis, some look at it: from behind, the end of a limb looks alike.
 ///
 /// spacings  of the points from which `field` was built; workspace, mm
