@@ -1,4 +1,4 @@
-/// Normals with noise, each taken from the plane that explains its surroundings best.
+/// Normals with noise, each taken from the plane or the curved patch that explains its surroundings best.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,8 +8,9 @@
 
 namespace isotouch::field {
 
-/// Every sample and its six nearest describe a plane: it passes near their positions, and its normal is near theirs. A sample's new normal is the mean
-/// of the planes of its nearest nine, weighted by how well each explains its own samples, and this sample's position and normal. At an edge, the planes of its
+/// Every sample and its six nearest describe a plane: it passes near their positions, and its normal is near theirs. Where a curved patch through the
+/// nearest twelve explains them better for its number of parameters, as round a thin rod, the patch is taken instead. A sample's new normal is the mean
+/// of the planes and patches of its nearest nine, there where the sample is, weighted by how well each explains its own samples, and this sample's position and normal. At an edge, the planes of its
 /// own face do so, so edges stay.
 ///
 /// scan      most normals outward

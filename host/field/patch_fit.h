@@ -24,4 +24,16 @@ struct WeightedSample {
 /// returns   directions in which no sample lies stay straight; a single sample gives its tangent plane
 ToroidalPatch fit_patch(std::span<const WeightedSample> samples, double reach);
 
+/// Of samples with noise.
+struct Variances {
+  double position;  ///< across the surface, their length unit squared
+  double normal;    ///< radians squared
+};
+
+/// One Gauss-Newton step from a patch towards the one that explains all samples best. None counts more than the others.
+///
+/// samples   at least 3; their weights are not read
+/// reach     radius of the neighbourhood they were taken from, above zero
+ToroidalPatch nearer_patch(const ToroidalPatch& patch, std::span<const WeightedSample> samples, const Variances& variances, double reach);
+
 }  // namespace isotouch::field

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "host/cloud/random.h"
@@ -45,6 +46,19 @@ TEST(FilteredNormals, KeepTheFacesOfABoxApart) {
   std::size_t blurred = 0;
   for (std::size_t i = 0; i < normals.size(); ++i) blurred += normals[i].dot(truth.normals[i]) < 0.9 ? 1U : 0U;
   EXPECT_LT(blurred, normals.size() / 50);
+}
+
+/// Eight samples round a rod of radius 1.
+TEST(FilteredNormals, FollowTheSurfaceRoundAThinRod) {
+  cloud::Random random(3);
+  OrientedPoints truth;
+  for (int i = 0; i < 600; ++i) {
+    const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
+    truth.normals.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    truth.positions.emplace_back(truth.normals.back() + Vector3d(0.0, 0.0, random.uniform(0.0, 60.0)));
+  }
+  const OrientedPoints noisy = tilted(truth);
+  EXPECT_LT(off(filtered_normals(Scan(noisy), kNoise), truth), 0.3 * off(noisy.normals, truth));
 }
 
 TEST(FilteredNormals, TwinSamplesKeepTheirNormals) {
