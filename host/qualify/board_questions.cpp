@@ -112,10 +112,10 @@ std::optional<link::Histogram> read_timer(int status, const std::string& text, s
 
 std::string eviction_command(double seconds) {
   const std::string s = std::to_string(static_cast<int>(std::ceil(seconds)));
-  return "p=; trap 'kill $p $!; exit 1' TERM\n"  // `timeout` leaves the group that is ended; $! may not be in $p yet
+  return "t=timeout; timeout --foreground 1 true 2>/dev/null && t='timeout --foreground'\n"  // it stays in the group that is ended
          "n=$(nproc 2>/dev/null || echo 1); [ $n -le 8 ] || n=8\n"
-         "i=0; while [ $i -lt $n ]; do i=$((i + 1)); nice -n 19 timeout " +
-         s + " dd if=/dev/zero of=/dev/null bs=$((64 / n))M 2>/dev/null & p=\"$p $!\"; done; wait";
+         "i=0; while [ $i -lt $n ]; do i=$((i + 1)); nice -n 19 $t " +
+         s + " dd if=/dev/zero of=/dev/null bs=$((64 / n))M 2>/dev/null & done; wait";
 }
 
 std::string begin_tracing_command() {

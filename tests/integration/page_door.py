@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 from urllib.parse import urlsplit
 
-from rig import check
+from rig import PATIENCE, check
 
 
 @dataclass(frozen=True)
@@ -142,7 +142,7 @@ class Viewer:
             if code in (1, 2):
                 return payload.decode() if code == 1 else payload
 
-    def topic(self, name: str, seconds: float = 20, **values: object) -> dict[str, Any]:
+    def topic(self, name: str, seconds: float = PATIENCE, **values: object) -> dict[str, Any]:
         """The next message of a topic in which these values stand; batches of ticks before it are acknowledged."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
