@@ -47,12 +47,12 @@ class QuickPort final : public Port {
   int left_;
 };
 
-constexpr std::int64_t kLong = 60'000'000'000;
+constexpr std::int64_t kLong = 60'000'000'000;  // a minute: longer than a busy machine pauses
 
 TEST(ExchangeThread, EveryReplyMeetsItsTickAndEveryWordIsSentOnce) {
   QuickPort port(2000);
   Monotonic clock;
-  ExchangeThread device(port, clock, kLong, kSilence);
+  ExchangeThread device(port, clock, kLong, kLong);
   const std::atomic<bool> stop{false};
   std::thread thread([&] { device.serve(stop); });
   std::int16_t tick = 0;
@@ -75,7 +75,7 @@ TEST(ExchangeThread, EveryReplyMeetsItsTickAndEveryWordIsSentOnce) {
 TEST(ExchangeThread, ASilentTickDoesNotStopThePackets) {
   QuickPort port(50);
   Monotonic clock;
-  ExchangeThread device(port, clock, 100'000, 60'000'000'000);  // a minute: longer than a busy machine pauses
+  ExchangeThread device(port, clock, 100'000, kLong);
   const std::atomic<bool> stop{false};
   device.leave({{{7, 7, 7}, 1}, 1, 0, -1});
   device.serve(stop);
