@@ -52,8 +52,8 @@ struct CloudReport {
 ///           a stiffness outside (0, 100] N/mm (with its place), fewer than 8 points left
 OrientedPoints check(const std::string& name, Model model, CloudReport& report);
 
-/// The same of a frame of a scan that goes on, as far as it shows without the other frames. A normal whose length `check` refuses becomes zero: in thousands
-/// of frames there is one, and it ends no stream.
+/// The same of a frame of a scan that goes on, as far as it shows without the other frames. A normal whose length `check` refuses becomes zero: among
+/// thousands of frames there is one, and it ends no stream.
 ///
 /// fails     InputError: the normals are coded without a sign
 void check_frame(const std::string& name, Model& model);

@@ -8,10 +8,10 @@
 
 namespace isotouch::field {
 
-/// Every sample and its six nearest describe a plane: it passes near their positions, and its normal is near theirs. Where a curved patch through the
-/// nearest twelve explains them better for its number of parameters, as round a thin rod, the patch is taken instead. A sample's new normal is the mean
-/// of the planes and patches of its nearest nine, there where the sample is, weighted by how well each explains its own samples, and this sample's position and normal. At an edge, the planes of its
-/// own face do so, so edges stay.
+/// Every sample and its six nearest describe a plane: it passes near their positions, and its normal is near theirs. Round a thin rod a curved patch
+/// through the nearest twelve explains them better, for its number of parameters; then it is taken. A sample's new normal is the mean of the normals
+/// that the patches of its nearest nine have where the sample is. Each is weighted by how well it explains its own samples, and this sample's position
+/// and normal. At an edge the patches of its own face do so best, so an edge is rounded little.
 ///
 /// scan      most normals outward
 /// noise     deviation of the normals, radians, as `Roughness::of_normals`; above 0

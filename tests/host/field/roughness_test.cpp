@@ -63,30 +63,33 @@ TEST(RoughnessHeavy, TellsTwoLayersFromNoise) {
   }
 }
 
+OrientedPoints tilted(OrientedPoints points, double tilt) {
+  cloud::Random random(2);
+  for (Vector3d& n : points.normals) n = (n + tilt * scatter(random)).normalized();
+  return points;
+}
+
+/// exact      at most so much is found in the points as they are, radians
+/// tolerance  of each tilt
+void expect_tilts_are_found(const OrientedPoints& clean, double exact, double tolerance) {
+  const double spacing = cloud::median_spacing(clean.positions);
+  EXPECT_LT(of(clean, spacing).of_normals, exact);
+  for (const double tilt : {0.1, 0.25, 0.4})
+    EXPECT_NEAR(of(tilted(clean, tilt), spacing).of_normals, std::sqrt(2.0) * tilt, tolerance * tilt) << tilt;
+}
+
 TEST(Roughness, TiltedNormalsAreNoNoise) {
   for (const double tilt : {0.1, 0.25, 0.5}) {
-    OrientedPoints points = detailed();
+    const OrientedPoints points = tilted(detailed(), tilt);
     const double spacing = cloud::median_spacing(points.positions);
-    cloud::Random random(2);
-    for (Vector3d& n : points.normals) n = (n + tilt * scatter(random)).normalized();
-    const Roughness found = of(std::move(points), spacing);
+    const Roughness found = of(points, spacing);
     EXPECT_GT(found.of_pairs, 0.02 * spacing) << tilt;
     EXPECT_LT(found.of_no_step, 0.3 * found.of_pairs) << tilt;
     EXPECT_FALSE(found.is_noise()) << tilt;
   }
 }
 
-TEST(Roughness, MeasuresTheNoiseOfNormalsBetweenDetail) {
-  const OrientedPoints clean = detailed();
-  const double spacing = cloud::median_spacing(clean.positions);
-  EXPECT_LT(of(clean, spacing).of_normals, 0.02);
-  for (const double tilt : {0.1, 0.25, 0.4}) {
-    OrientedPoints points = clean;
-    cloud::Random random(2);
-    for (Vector3d& n : points.normals) n = (n + tilt * scatter(random)).normalized();
-    EXPECT_NEAR(of(std::move(points), spacing).of_normals, std::sqrt(2.0) * tilt, 0.15 * tilt) << tilt;
-  }
-}
+TEST(Roughness, MeasuresTheNoiseOfNormalsBetweenDetail) { expect_tilts_are_found(detailed(), 0.02, 0.15); }
 
 /// A rod's side with points at random places, six of them round it and all with exact normals: the far normals turn by no more than the near ones.
 OrientedPoints thin_rod() {
@@ -102,17 +105,7 @@ OrientedPoints thin_rod() {
   return points;
 }
 
-TEST(Roughness, NormalsThatTurnRoundAThinRodAreNoNoise) {
-  const OrientedPoints clean = thin_rod();
-  const double spacing = cloud::median_spacing(clean.positions);
-  EXPECT_LT(of(clean, spacing).of_normals, 0.001);
-  for (const double tilt : {0.1, 0.25, 0.4}) {
-    OrientedPoints points = clean;
-    cloud::Random random(2);
-    for (Vector3d& n : points.normals) n = (n + tilt * scatter(random)).normalized();
-    EXPECT_NEAR(of(std::move(points), spacing).of_normals, std::sqrt(2.0) * tilt, 0.4 * tilt) << tilt;
-  }
-}
+TEST(Roughness, NormalsThatTurnRoundAThinRodAreNoNoise) { expect_tilts_are_found(thin_rod(), 0.001, 0.4); }
 
 }  // namespace
 }  // namespace isotouch::field

@@ -115,22 +115,10 @@ TEST(ControllerSource, FrictionThatWasSetBeforeTheFirstTickIsSeen) {
   EXPECT_EQ(inbox.offered(), 0U);
 }
 
-TEST(ControllerSource, TouchesBeforeFrictionWasSetAreGood) {
+/// The touches of 20 ticks are good, and what comes after them ends the stream.
+void expect_end_after(const Bytes& twenty, const Bytes& after, const char* why) {
   const test::Scripted scripted({test::Scripted::says(welcome() + kFrictionless + kFrictionless),
-                                 test::Scripted::says(welcome() + frame(Kind::kDone) + records(100, 20) +
-                                                      records(120, 1, {TickSetting::kFriction, rows::kFriction.raw(0.5)}))});
-  Inbox inbox;
-  const std::jthread thread = run(controller(scripted.address(), 30), inbox);
-  EXPECT_EQ(inbox.take(10s)->read().positions.size(), 1U) << "of the first tick";
-  const auto rest = inbox.take(10s);
-  ASSERT_TRUE(rest);
-  EXPECT_EQ(rest->read().positions.size(), 19U);
-  EXPECT_THROW(while (!inbox.is_finished())(void) inbox.take(1s), InputError);
-}
-
-TEST(ControllerSource, TouchesBeforeAnotherFieldAreGood) {
-  const test::Scripted scripted({test::Scripted::says(welcome() + kFrictionless + kFrictionless),
-                                 test::Scripted::says(welcome() + frame(Kind::kDone) + records(100, 20, {}, 3) + records(120, 20, {}, 4))});
+                                 test::Scripted::says(welcome() + frame(Kind::kDone) + twenty + after)});
   Inbox inbox;
   const std::jthread thread = run(controller(scripted.address(), 30), inbox);
   EXPECT_EQ(inbox.take(10s)->read().positions.size(), 1U) << "of the first tick";
@@ -139,10 +127,18 @@ TEST(ControllerSource, TouchesBeforeAnotherFieldAreGood) {
   EXPECT_EQ(rest->read().positions.size(), 19U);
   try {
     while (!inbox.is_finished()) (void)inbox.take(1s);
-    ADD_FAILURE() << "touches of two objects are one";
+    ADD_FAILURE() << "no end: " << why;
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("another field was loaded while the hand touched"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
   }
+}
+
+TEST(ControllerSource, TouchesBeforeFrictionWasSetAreGood) {
+  expect_end_after(records(100, 20), records(120, 1, {TickSetting::kFriction, rows::kFriction.raw(0.5)}), "friction is set");
+}
+
+TEST(ControllerSource, TouchesBeforeAnotherFieldAreGood) {
+  expect_end_after(records(100, 20, {}, 3), records(120, 20, {}, 4), "another field was loaded while the hand touched");
 }
 
 TEST(ControllerSource, FrictionThatWasSetInALostTickIsSeen) {
